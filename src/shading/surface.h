@@ -1,0 +1,40 @@
+// A mesh ready to be lit: triangles over vertices that each have one position and one normal, made by the
+// scene's rule for normals. Software and OpenGL draw the same Surface, so they start from the same numbers.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "math/vec.h"
+#include "scene/mesh.h"
+#include "scene/shading.h"
+
+namespace cg {
+
+struct Surface {
+  // Positions are (mesh position - centre) / radius, computed in double: far offsets and extreme scales survive
+  // float. Ordinary meshes need neither: centre is 0 unless the mesh lies more than 16 radii from the origin, and
+  // radius is 1 unless the mesh is smaller than 2^-10 or larger than 2^10; then it is a power of two.
+  glm::dvec3 centre{0};
+  double radius = 1;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;       // one a position; unit, but a file's own are as the file has them
+  std::vector<std::uint32_t> indices;   // three a triangle, counter-clockwise, provoking vertex last
+  std::vector<std::uint32_t> triangle;  // Mesh::triangles() index of each; degenerate ones are left out
+  std::size_t bad_normals = 0;          // zero: such vertices get no diffuse and no specular term
+
+  std::size_t triangle_count() const { return triangle.size(); }
+  // Surface to mesh coordinates: to be multiplied into the object's matrix, in double.
+  glm::dmat4 to_mesh() const { return {{radius, 0, 0, 0}, {0, radius, 0, 0}, {0, 0, radius, 0}, {centre, 1}}; }
+};
+
+using SurfaceHandle = std::shared_ptr<const Surface>;
+
+// `rule` and `crease_angle` (degrees, 180 smooths all) as in Shading; flat shading asks for NormalRule::face,
+// whose vertices are not shared between faces. `file` falls back to `angle` for corners without a normal.
+SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle);
+
+// The rule that the scene's shading comes to: flat shading has the faces' normals, whatever `normals` says.
+inline NormalRule normal_rule(const Shading& s) { return s.mode == ShadingMode::flat ? NormalRule::face : s.normals; }
+
+}  // namespace cg
