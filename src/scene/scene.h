@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/camera.h"
-#include "scene/display.h"
+#include "image/display.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
