@@ -1,0 +1,81 @@
+// The state that the whole window edits: a scene, two techniques beside each other, and how they are looked at.
+// Panels and panes read and change it in the one thread of the window; a change is found by comparing values.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "params/input_error.h"
+#include "scene/technique.h"
+#include "ui/look.h"
+#include "ui/settings.h"
+
+namespace cg {
+
+// What is drawn alone: one term of the light model, of one light or of all. Quantity::none is everything.
+struct Isolated {
+  Quantity term = Quantity::none;
+  int light = -1;  // index into Scene::lights; -1: all
+  friend bool operator==(const Isolated&, const Isolated&) = default;
+};
+
+// What the panes know about the two newest pictures of the same scene.
+struct Figures {
+  bool valid = false;    // both pictures are there and belong together
+  double max_error = 0;  // 0..1, after the display transform, over pixels that both cover
+  double rmse = 0;       // the same
+  long coverage_mismatch = 0;
+  long over_1_255 = 0;
+  double left_ms = 0, right_ms = 0;
+};
+
+struct Toast {
+  Text text;
+  bool error = false;
+  double until = 0;  // in seconds of the window's clock
+};
+
+struct App {
+  Scene scene;         // meshes loaded; the panes draw a copy of it with `isolated` applied
+  std::string source;  // what it was opened from: a shape, a model file, a preset
+
+  std::vector<Technique> techniques;  // at least one; those unavailable stay in the list, with their reason
+  int left = 0, right = 0;            // indices into techniques
+
+  Settings settings;
+  Look look;
+  Isolated isolated;
+  int light = 0, object = 0;  // selected: indices into the scene's lists; the list may be empty
+  bool fit_asked = false;     // the panes fit the camera at the next frame, then clear it
+  bool turntable = false;
+
+  Figures figures;
+  std::vector<Plan> plans;  // of the left and the right technique for the scene as it is drawn
+  std::vector<Toast> toasts;
+
+  // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
+  Quantity lit = Quantity::none, lit_next = Quantity::none;
+
+  double now = 0;              // seconds of the window's clock at this frame
+  bool animating = false;      // set in a frame by whoever needs the next frame at once (a drag, a turntable)
+  std::function<void()> wake;  // asks for a frame; may be called from any thread
+
+  Language language() const { return settings.language; }
+};
+
+// Writes a text at ImGui's cursor, in the window's language, its glyphs made sure of.
+void write(App& app, std::string_view text);
+void write(App& app, const Words& words);
+void write(App& app, const Text& text);
+
+// The same for a draw list: the text, its glyphs made sure of.
+inline std::string_view noted(App& app, std::string_view text) { return app.look.glyphs.note(text); }
+inline std::string_view noted(App& app, const Words& words) { return noted(app, words.in(app.language())); }
+inline std::string_view noted(App& app, const Text& text) { return noted(app, text.in(app.language())); }
+
+// Tells the user; an error stays longer.
+void say(App& app, Text text);
+void say(App& app, const InputError& error);
+
+}  // namespace cg

@@ -1,0 +1,83 @@
+// What a person sets about the window and not about the scene: described like every other parameter, so that the
+// session saves it by walking the description.
+#pragma once
+#include <string>
+
+#include "params/field.h"
+
+namespace cg {
+
+enum class ViewMode { two, wipe, flip, difference, false_colour };
+template <>
+inline constexpr std::array<Name, 5> names_of<ViewMode>{{{"two", {"Two", "並べる"}},
+                                                         {"wipe", {"Wipe", "ワイプ"}},
+                                                         {"flip", {"Flip", "切替"}},
+                                                         {"difference", {"Difference", "差"}},
+                                                         {"false-colour", {"False colour", "擬似カラー"}}}};
+
+enum class Theme { dark, light };
+template <>
+inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
+
+template <>
+inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
+
+struct Settings {
+  Language language = Language::english;
+  Theme theme = Theme::dark;
+  double zoom = 1;                                    // of the type, on top of the monitor's scale
+  std::string left = "gl-fixed", right = "software";  // ids of techniques
+  ViewMode view = ViewMode::two;
+  double wipe = 0.5;    // where the wipe's edge stands, from the left
+  double gain = 32;     // of the difference
+  bool handles = true;  // overlays: lights that can be dragged,
+  bool vertex_normals = false, face_normals = false, wireframe = false;
+  bool clamped = false;  // mark the pixels that clamping changed
+  double normal_length = 0.08;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+template <>
+inline constexpr auto fields_of<Settings> = std::tuple{
+    field(&Settings::language, {.name = "language", .label = {"Language", "言語"}}),
+    field(&Settings::theme, {.name = "theme", .label = {"Theme", "配色"}}),
+    field(&Settings::zoom, {.name = "zoom", .range = {0.5, 3}, .label = {"Zoom", "拡大率"}}),
+    field(&Settings::left, {.name = "left", .label = {"Left technique", "左の手法"}}),
+    field(&Settings::right, {.name = "right", .label = {"Right technique", "右の手法"}}),
+    field(&Settings::view, {.name = "view", .label = {"View", "見方"}}),
+    field(&Settings::wipe, {.name = "wipe", .range = {0, 1}, .label = {"Wipe", "ワイプ"}}),
+    field(&Settings::gain,
+          {.name = "gain",
+           .range = {1, 1e6},
+           .slider = Range{1, 255},
+           .scale = Scale::logarithmic,
+           .label = {"Gain", "増幅"},
+           .help = {"The difference is multiplied by it before it is shown.", "差をこの倍率で強調して表示する。"}}),
+    field(&Settings::handles,
+          {.name = "handles",
+           .label = {"Lights in the picture", "光源を表示"},
+           .help = {"Shows each light in the picture; drag it there.", "光源を画面に表示する。ドラッグで動かせる。"}}),
+    field(&Settings::vertex_normals, {.name = "vertex_normals",
+                                      .symbol = "N",
+                                      .label = {"Vertex normals", "頂点の法線"},
+                                      .help = {"Draws the normal of each vertex.", "頂点ごとの法線を描く。"}}),
+    field(&Settings::face_normals, {.name = "face_normals",
+                                    .symbol = "N",
+                                    .label = {"Face normals", "面の法線"},
+                                    .help = {"Draws the normal of each face.", "面ごとの法線を描く。"}}),
+    field(&Settings::wireframe, {.name = "wireframe",
+                                 .label = {"Wireframe", "ワイヤーフレーム"},
+                                 .help = {"Draws the edges of the faces.", "面の辺を描く。"}}),
+    field(&Settings::clamped, {.name = "clamped",
+                               .label = {"Clamped pixels", "クランプ画素"},
+                               .help = {"Marks the pixels whose colour would leave 0..1 without clamping.",
+                                        "クランプしなければ 0..1 を超える画素に印を付ける。"}}),
+    field(&Settings::normal_length, {.name = "normal_length",
+                                     .unit = "m",
+                                     .range = {0, 1e6},
+                                     .slider = Range{0, 0.5},
+                                     .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
+};
+static_assert(well_described<Settings>());
+
+}  // namespace cg
