@@ -1,5 +1,6 @@
 // A JSON document as a plain value, so that only one .cpp of the project sees the JSON library.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,7 +45,8 @@ struct Tree {
 // 64 levels, more than 16 MiB, numbers outside double, and anything behind the end. Throws InputError.
 Tree parse_json(std::string_view text, const std::string& where);
 
-// JSON text: numbers as the shortest text that reads back the same, members in order; `indent` 0 is one line.
+// JSON text: numbers as the shortest text that reads back as the same bits (null where they are not finite),
+// members in order; `indent` 0 is one line.
 std::string to_json(const Tree& tree, int indent = 2);
 
 // RFC 7396: `patch` laid over `target`; null removes.
