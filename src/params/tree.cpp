@@ -25,7 +25,8 @@ Tree merge_patch(Tree target, const Tree& patch) {
   if (!target.members()) target = Tree(Tree::Members{});
   for (const auto& [key, change] : *changes) {
     if (change.is_null()) {
-      std::erase_if(std::get<Tree::Members>(target.value), [&](const auto& member) { return member.first == key; });
+      std::erase_if(std::get<Tree::Members>(target.value),
+                    [&name = key](const auto& member) { return member.first == name; });
     } else {
       Tree& member = target.at(key);
       member = merge_patch(std::move(member), change);
