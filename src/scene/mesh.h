@@ -23,7 +23,7 @@ struct Corner {
 // first_corner[f] .. first_corner[f+1]-1, counter-clockwise seen from outside.
 struct MeshData {
   std::vector<glm::dvec3> positions;  // finite
-  std::vector<glm::dvec3> normals;    // finite, any length (as the file has them)
+  std::vector<glm::dvec3> normals;    // any length (as the file has them)
   std::vector<glm::dvec2> uvs;
   std::vector<Corner> corners;
   std::vector<std::uint32_t> first_corner{0};
@@ -39,20 +39,21 @@ struct MeshData {
 struct MeshReport {
   std::size_t repeated_corners = 0;  // a face named a vertex twice in a row: dropped from the face
   std::size_t degenerate_faces = 0;  // fewer than three different corners, or no area: kept, not drawn
-  std::size_t bad_normals = 0;       // zero length
+  std::size_t bad_normals = 0;       // zero length, or not finite
   friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };
 
 struct Triangle {
-  std::array<std::uint32_t, 3> corner;  // indices into corners; the last is the face's last corner, so that
-                                        // OpenGL's provoking vertex is the polygon's own
+  // Indices into corners, counter-clockwise. The last is the face's last corner, so that OpenGL's provoking vertex
+  // is the polygon's own; those triangles of a concave face that do not reach it end with their highest corner.
+  std::array<std::uint32_t, 3> corner;
   std::uint32_t face;
 };
 
 class Mesh {
  public:
-  // Validates (indices in range, or std::invalid_argument: the readers have checked already), drops repeated
-  // corners, ear-clips concave polygons.
+  // Validates (indices in range, positions finite, or std::invalid_argument: the readers have checked already),
+  // drops repeated corners, ear-clips concave polygons.
   static std::shared_ptr<const Mesh> make(MeshData data);
 
   const MeshData& data() const { return data_; }
