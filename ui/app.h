@@ -36,6 +36,13 @@ struct Toast {
   double until = 0;  // in seconds of the window's clock
 };
 
+// The one value that is being typed.
+struct Editing {
+  ImGuiID item = 0;  // 0: none
+  std::string text;
+  bool fresh = false;  // the field takes the keyboard at the next frame
+};
+
 struct App {
   Scene scene;         // meshes loaded; the panes draw a copy of it with `isolated` applied
   std::string source;  // what it was opened from: a shape, a model file, a preset
@@ -57,8 +64,11 @@ struct App {
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
   Quantity lit = Quantity::none, lit_next = Quantity::none;
 
+  Editing editing;
   double now = 0;              // seconds of the window's clock at this frame
   bool animating = false;      // set in a frame by whoever needs the next frame at once (a drag, a turntable)
+  double next_frame = 0;       // the time by which there must be a frame though nothing happens
+  double scrolled_at = -1;     // when a panel was last scrolled: then the wheel turns no value
   std::function<void()> wake;  // asks for a frame; may be called from any thread
 
   Language language() const { return settings.language; }

@@ -18,9 +18,11 @@ struct Palette {
   ImU32 raised_hover;  // the same under the mouse
   ImU32 line;          // the few lines there are, and the tracks of sliders
   ImU32 text, dim;     // what is read first, and what is read second
-  ImU32 accent;        // the one colour of what is chosen or in hand
+  ImU32 accent;        // the one colour of what is chosen or in hand,
+  ImU32 on_accent;     // and of the letters on it
   ImU32 error;
-  ImU32 quantity[7];  // by Quantity; Okabe and Ito's colour-blind-safe set, none is the knob's neutral
+  ImU32 knob, knob_edge;  // of sliders; an edge of 0 is none
+  ImU32 quantity[7];      // by Quantity; Okabe and Ito's colour-blind-safe set, none is the knob's neutral
 };
 const Palette& palette_of(Theme theme);
 
@@ -49,6 +51,9 @@ struct Look {
   ImU32 of(Quantity q) const { return palette.quantity[int(q)]; }
   float px(float units) const { return float(int(units * scale + 0.5f)); }
 };
+
+// ImGui's own style from the palette and the scale.
+void apply_style(const Look& look);
 
 // `colour` with its alpha multiplied by `alpha` (0..1).
 ImU32 faded(ImU32 colour, float alpha);

@@ -19,6 +19,12 @@ enum class Theme { dark, light };
 template <>
 inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
 
+// What the right side shows.
+enum class Side { none, plan, mesh };
+template <>
+inline constexpr std::array<Name, 3> names_of<Side>{
+    {{"none", {"Closed", "閉じる"}}, {"plan", {"Plan", "計画"}}, {"mesh", {"Mesh", "メッシュ"}}}};
+
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
 
@@ -34,6 +40,8 @@ struct Settings {
   bool vertex_normals = false, face_normals = false, wireframe = false;
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
+  Side side = Side::none;
+  double left_width = 300, right_width = 320, strip_height = 132;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
@@ -77,6 +85,11 @@ inline constexpr auto fields_of<Settings> = std::tuple{
                                      .range = {0, 1e6},
                                      .slider = Range{0, 0.5},
                                      .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
+    field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
+    field(&Settings::left_width, {.name = "left_width", .range = {220, 600}, .label = {"Left width", "左の幅"}}),
+    field(&Settings::right_width, {.name = "right_width", .range = {220, 800}, .label = {"Right width", "右の幅"}}),
+    field(&Settings::strip_height,
+          {.name = "strip_height", .range = {60, 500}, .label = {"Strip height", "下段の高さ"}}),
 };
 
 }  // namespace cg
