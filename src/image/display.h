@@ -1,5 +1,9 @@
 // How linear light becomes what a screen shows. Comparisons in 0..1 are made after it.
 #pragma once
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "image/image.h"
 #include "params/field.h"
 
 namespace cg {
@@ -37,5 +41,21 @@ inline constexpr auto fields_of<Display> = std::tuple{
                                  .help = {"What is seen where nothing is.", "何もない所の色。"}}),
 };
 static_assert(well_described<Display>());
+
+// 8 bits a channel, as a screen or a PNG takes them: RGBA, opaque, already displayed.
+using Picture = Image<glm::u8vec4>;
+
+// IEC 61966-2-1: linear light 0..1 as sRGB 0..1 and back. Outside that range as its nearest end; NaN is 0.
+float srgb_from_linear(float linear);
+float linear_from_srgb(float srgb);
+
+// What the display transform makes of linear light, each channel 0..1. NaN and less than 0 is 0, infinity is 1.
+glm::vec3 displayed(const Display& display, const glm::vec3& linear);
+ColourImage displayed(const Display& display, const ColourImage& linear);
+
+// The nearest of the 256 steps to a displayed value; NaN is 0, outside 0..1 the nearest end.
+std::uint8_t to_8bit(float shown);
+// Linear light as a screen shows it.
+Picture picture(const Display& display, const ColourImage& linear);
 
 }  // namespace cg

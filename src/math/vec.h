@@ -28,7 +28,8 @@ constexpr Real positive(Real x) {
 // x limited to 0..1, with NaN becoming 0.
 template <class Real>
 constexpr Real saturate(Real x) {
-  return x > Real(0) ? (x < Real(1) ? x : Real(1)) : Real(0);
+  const Real p = positive(x);  // two steps become two instructions, without a branch
+  return p < Real(1) ? p : Real(1);
 }
 
 template <class Real>
