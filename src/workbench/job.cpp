@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "params/input_error.h"
-#include "workbench/shown.h"
 
 namespace cg {
 
@@ -110,8 +109,8 @@ void Job::answer(const Request& request, std::uint64_t serial, Progress& progres
   }
 }
 
-std::shared_ptr<Picture> Job::draw(const Request& request, const Plan& plan, int coarseness, Progress& progress) {
-  auto picture = std::make_shared<Picture>();
+std::shared_ptr<Drawing> Job::draw(const Request& request, const Plan& plan, int coarseness, Progress& progress) {
+  auto picture = std::make_shared<Drawing>();
   View view = request.view;
   if (coarseness > 1)
     view.width = std::max(1, view.width / coarseness), view.height = std::max(1, view.height / coarseness);
@@ -125,17 +124,18 @@ std::shared_ptr<Picture> Job::draw(const Request& request, const Plan& plan, int
   picture->frame = technique_.render(request.scene, plan, view, progress);
   picture->wall_ms = milliseconds(Clock::now() - start);
   picture->cpu_ms = picture->frame.cpu_ms;
-  picture->shown = shown(picture->frame, request.scene.display);
-  if (request.mark_clamped) picture->clamped = mark_clamped(picture->shown, picture->frame);
+  const Display& display = request.scene.display;
+  picture->shown = cg::picture(display, picture->frame.colour);
+  if (request.mark_clamped) picture->clamped = mark_clamped(picture->shown, picture->frame.colour, display);
   picture->scene = request.scene;
   picture->view = request.view;
   picture->coarseness = coarseness;
   return picture;
 }
 
-void Job::publish(std::shared_ptr<Picture> picture, std::uint64_t serial) {
+void Job::publish(std::shared_ptr<Drawing> picture, std::uint64_t serial) {
   picture->serial = serial;
-  PictureHandle replaced;  // freed after the lock
+  DrawingHandle replaced;  // freed after the lock
   {
     const std::lock_guard lock(mutex_);
     if (picture->coarseness == 1) full_ms_ = picture->wall_ms, state_.answered = serial;

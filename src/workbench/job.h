@@ -4,11 +4,10 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
-#include <glm/gtc/type_precision.hpp>
 #include <memory>
 #include <optional>
 
-#include "image/image.h"
+#include "image/difference.h"
 #include "scene/technique.h"
 #include "workbench/worker.h"
 
@@ -18,22 +17,22 @@ namespace cg {
 struct Request {
   Scene scene;
   View view;
-  bool mark_clamped = false;  // paint the pixels outside 0..1: above in `clamped_high`, below in `clamped_low`
+  bool mark_clamped = false;  // paint the pixels that the display transform clamps
 };
 
 // A finished picture and what it is a picture of; never changed once it is published.
-struct Picture {
+struct Drawing {
   std::uint64_t serial = 0;  // of the request, as submit() returned it
   Scene scene;               // what was drawn, meshes loaded
   View view;                 // as asked for; frame is smaller by `coarseness`
   int coarseness = 1;        // 4: a quarter of the width and of the height
   Frame frame;
-  Image<glm::u8vec4> shown;  // frame.colour as a screen shows it, opaque
-  std::size_t clamped = 0;   // pixels that were marked
+  Picture shown;    // frame.colour as a screen shows it
+  Clamped clamped;  // what was painted, if that was asked for
   double wall_ms = 0;        // of the technique
   double cpu_ms = 0;         // of the technique, all threads
 };
-using PictureHandle = std::shared_ptr<const Picture>;
+using DrawingHandle = std::shared_ptr<const Drawing>;
 
 class Job {
  public:
@@ -44,7 +43,7 @@ class Job {
   };
   // All that the window needs to know, as of now.
   struct State {
-    PictureHandle picture;             // the newest finished; null before the first
+    DrawingHandle picture;             // the newest finished; null before the first
     std::optional<Text> message;       // why the newest request has no picture, if so
     std::shared_ptr<const Plan> plan;  // of the newest request that was planned; null before
     std::uint64_t answered = 0;        // newest serial with a full picture or a message
@@ -69,9 +68,9 @@ class Job {
   using Clock = std::chrono::steady_clock;
 
   void answer(const Request& request, std::uint64_t serial, Progress& progress);
-  std::shared_ptr<Picture> draw(const Request& request, const Plan& plan, int coarseness, Progress& progress);
+  std::shared_ptr<Drawing> draw(const Request& request, const Plan& plan, int coarseness, Progress& progress);
   int first_coarseness(const View& view) const;
-  void publish(std::shared_ptr<Picture> picture, std::uint64_t serial);
+  void publish(std::shared_ptr<Drawing> picture, std::uint64_t serial);
   void fail(std::uint64_t serial, Text message);
   bool worth_finishing() const;  // with mutex_ held
 
