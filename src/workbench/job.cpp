@@ -110,7 +110,7 @@ void Job::answer(const Request& request, std::uint64_t serial, Progress& progres
 }
 
 std::shared_ptr<Drawing> Job::draw(const Request& request, const Plan& plan, int coarseness, Progress& progress) {
-  auto picture = std::make_shared<Drawing>();
+  auto drawing = std::make_shared<Drawing>();
   View view = request.view;
   if (coarseness > 1)
     view.width = std::max(1, view.width / coarseness), view.height = std::max(1, view.height / coarseness);
@@ -121,25 +121,25 @@ std::shared_ptr<Drawing> Job::draw(const Request& request, const Plan& plan, int
   }
   progress.fraction = 0;
   const auto start = Clock::now();
-  picture->frame = technique_.render(request.scene, plan, view, progress);
-  picture->wall_ms = milliseconds(Clock::now() - start);
-  picture->cpu_ms = picture->frame.cpu_ms;
+  drawing->frame = technique_.render(request.scene, plan, view, progress);
+  drawing->wall_ms = milliseconds(Clock::now() - start);
+  drawing->cpu_ms = drawing->frame.cpu_ms;
   const Display& display = request.scene.display;
-  picture->shown = cg::picture(display, picture->frame.colour);
-  if (request.mark_clamped) picture->clamped = mark_clamped(picture->shown, picture->frame.colour, display);
-  picture->scene = request.scene;
-  picture->view = request.view;
-  picture->coarseness = coarseness;
-  return picture;
+  drawing->shown = cg::picture(display, drawing->frame.colour);
+  if (request.mark_clamped) drawing->clamped = mark_clamped(drawing->shown, drawing->frame.colour, display);
+  drawing->scene = request.scene;
+  drawing->view = request.view;
+  drawing->coarseness = coarseness;
+  return drawing;
 }
 
-void Job::publish(std::shared_ptr<Drawing> picture, std::uint64_t serial) {
-  picture->serial = serial;
+void Job::publish(std::shared_ptr<Drawing> drawing, std::uint64_t serial) {
+  drawing->serial = serial;
   DrawingHandle replaced;  // freed after the lock
   {
     const std::lock_guard lock(mutex_);
-    if (picture->coarseness == 1) full_ms_ = picture->wall_ms, state_.answered = serial;
-    replaced = std::exchange(state_.picture, std::move(picture));
+    if (drawing->coarseness == 1) full_ms_ = drawing->wall_ms, state_.answered = serial;
+    replaced = std::exchange(state_.drawing, std::move(drawing));
     state_.message.reset();
   }
   if (hooks_.wake) hooks_.wake();

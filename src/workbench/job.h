@@ -27,10 +27,10 @@ struct Drawing {
   View view;                 // as asked for; frame is smaller by `coarseness`
   int coarseness = 1;        // 4: a quarter of the width and of the height
   Frame frame;
-  Picture shown;    // frame.colour as a screen shows it
-  Clamped clamped;  // what was painted, if that was asked for
-  double wall_ms = 0;        // of the technique
-  double cpu_ms = 0;         // of the technique, all threads
+  Picture shown;       // frame.colour as a screen shows it
+  Clamped clamped;     // what was painted, if that was asked for
+  double wall_ms = 0;  // of the technique
+  double cpu_ms = 0;   // of the technique, all threads
 };
 using DrawingHandle = std::shared_ptr<const Drawing>;
 
@@ -43,7 +43,7 @@ class Job {
   };
   // All that the window needs to know, as of now.
   struct State {
-    DrawingHandle picture;             // the newest finished; null before the first
+    DrawingHandle drawing;             // the newest finished; null before the first
     std::optional<Text> message;       // why the newest request has no picture, if so
     std::shared_ptr<const Plan> plan;  // of the newest request that was planned; null before
     std::uint64_t answered = 0;        // newest serial with a full picture or a message
@@ -70,7 +70,7 @@ class Job {
   void answer(const Request& request, std::uint64_t serial, Progress& progress);
   std::shared_ptr<Drawing> draw(const Request& request, const Plan& plan, int coarseness, Progress& progress);
   int first_coarseness(const View& view) const;
-  void publish(std::shared_ptr<Drawing> picture, std::uint64_t serial);
+  void publish(std::shared_ptr<Drawing> drawing, std::uint64_t serial);
   void fail(std::uint64_t serial, Text message);
   bool worth_finishing() const;  // with mutex_ held
 

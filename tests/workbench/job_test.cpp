@@ -43,18 +43,18 @@ Request request(double n) {
   return r;
 }
 
-double drawn(const Job::State& state) { return state.picture ? double(state.picture->frame.colour.at(0, 0).r) : -1; }
+double drawn(const Job::State& state) { return state.drawing ? double(state.drawing->frame.colour.at(0, 0).r) : -1; }
 
 TEST(Job, DrawsWhatWasSubmitted) {
   Job job(slow_technique(0), {});
-  EXPECT_EQ(job.poll().picture, nullptr);
+  EXPECT_EQ(job.poll().drawing, nullptr);
   const auto serial = job.submit(request(7));
   job.wait();
   const auto state = job.poll();
   EXPECT_EQ(drawn(state), 7);
   EXPECT_EQ(state.answered, serial);
-  EXPECT_EQ(state.picture->serial, serial);
-  EXPECT_EQ(state.picture->coarseness, 1);
+  EXPECT_EQ(state.drawing->serial, serial);
+  EXPECT_EQ(state.drawing->coarseness, 1);
   EXPECT_FALSE(state.busy);
   ASSERT_TRUE(state.plan);
   EXPECT_EQ(state.plan->technique, "slow");
@@ -81,12 +81,12 @@ TEST(Job, ASliderThatNeverRestsStillShowsPictures) {
     Job job(slow_technique(ms), {});
     job.submit(request(1));
     job.wait();
-    std::uint64_t shown = job.poll().picture->serial;
+    std::uint64_t shown = job.poll().drawing->serial;
     int changes = 0;
     for (int i = 2; i < 120; ++i) {
       job.submit(request(i));
       std::this_thread::sleep_for(5ms);
-      const auto picture = job.poll().picture;
+      const auto picture = job.poll().drawing;
       if (picture->serial != shown) ++changes, shown = picture->serial;
     }
     EXPECT_GT(changes, 10) << ms;
@@ -102,7 +102,7 @@ TEST(Job, ACoarsePictureComesBeforeASlowOne) {
   Job::Hooks hooks;
   hooks.wake = [&] {
     const std::lock_guard lock(mutex);
-    coarseness.push_back(self->poll().picture->coarseness);
+    coarseness.push_back(self->poll().drawing->coarseness);
   };
   Job job(slow_technique(60), hooks);
   self = &job;
@@ -111,7 +111,7 @@ TEST(Job, ACoarsePictureComesBeforeASlowOne) {
   job.submit(request(2));
   job.wait();
   EXPECT_EQ(coarseness, (std::vector{1, 4, 1}));
-  const auto picture = job.poll().picture;
+  const auto picture = job.poll().drawing;
   EXPECT_EQ(picture->frame.colour.width(), 64);
   EXPECT_EQ(picture->shown.width(), 64);
 }
@@ -185,7 +185,7 @@ TEST(Job, MeshesAreLoadedOnItsThread) {
   job.submit(request(1));
   job.wait();
   EXPECT_NE(loader, window);
-  EXPECT_EQ(job.poll().picture->scene.material.n, 9);
+  EXPECT_EQ(job.poll().drawing->scene.material.n, 9);
 }
 
 // Submits, polls and destroys at random while it draws; for the sanitizers.
@@ -224,7 +224,7 @@ TEST(Job, MarksClampedPixels) {
   Job job(t, {});
   job.submit(r);
   job.wait();
-  const auto picture = job.poll().picture;
+  const auto picture = job.poll().drawing;
   EXPECT_EQ(picture->clamped.above, 1u);
   EXPECT_EQ(picture->clamped.below, 1u);
   EXPECT_NE(picture->shown.at(0, 0), glm::u8vec4(255, 0, 0, 255));
