@@ -1,0 +1,54 @@
+// Builds a mesh corner by corner and finds by itself which corners share a position, a normal or a uv.
+#pragma once
+#include <span>
+
+#include "scene/mesh.h"
+#include "scene/numbering.h"
+
+namespace cg {
+
+struct ShapeCorner {
+  glm::dvec3 position, normal;
+  glm::dvec2 uv;
+};
+
+class ShapeBuilder {
+ public:
+  // A face, counter-clockwise. Neighbouring corners at the same position become one (the triangles at a pole).
+  void face(std::span<const ShapeCorner> corners);
+
+  // rows x columns quads over the corners at(row, column), 0..rows, 0..columns. The quads are counter-clockwise
+  // seen from the side to which d(position)/d(column) x d(position)/d(row) points.
+  template <class At>
+  void grid(int rows, int columns, const At& at);
+
+  // Moves the centre of the box to the origin and scales so that the farthest corner is at distance 1.
+  void fit();
+
+  MeshData take() { return std::move(data_); }
+
+ private:
+  MeshData data_;
+  Numbering positions_{64}, normals_{64}, uvs_{64};
+};
+
+struct Turn {
+  double cosine, sine;
+};
+
+// Of 2 pi i/n, with the symmetries of the circle kept to the last bit: turn(i + n, n) is turn(i, n), quarter turns are
+// exact, and mirrored angles have mirrored values.
+Turn turn(long i, long n);
+
+template <class At>
+void ShapeBuilder::grid(int rows, int columns, const At& at) {
+  std::vector<ShapeCorner> below, above;
+  for (int row = 0; row <= rows; ++row) {
+    above.clear();
+    for (int column = 0; column <= columns; ++column) above.push_back(at(row, column));
+    for (int c = 0; c < columns && row > 0; ++c) face(std::array{below[c], below[c + 1], above[c + 1], above[c]});
+    std::swap(below, above);
+  }
+}
+
+}  // namespace cg
