@@ -1,0 +1,210 @@
+#include "raster/deferred_shading.h"
+
+#include <atomic>
+
+#include "raster/interpolation.h"
+
+namespace cg {
+
+namespace {
+
+constexpr int rows_a_part = 8;
+constexpr std::size_t vertices_a_part = 4096;
+constexpr std::uint8_t front_bit = 1, back_bit = 2;
+
+// Rows of the picture as parts; f(object, id, top row y, first x, last x excluded) for each run of pixels of a row
+// that show the same triangle.
+template <class Run>
+void for_each_run(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers, const Run& run) {
+  workers.for_each((visibility.height + rows_a_part - 1) / rows_a_part, [&](int part) {
+    std::size_t object = 0;
+    const int bottom = std::min((part + 1) * rows_a_part, visibility.height);
+    for (int y = part * rows_a_part; y < bottom; ++y) {
+      const std::uint32_t* triangle = &visibility.triangle[visibility.row(y)];
+      for (int x = 0; x < visibility.width;) {
+        const std::uint32_t id = triangle[x];
+        int end = x + 1;
+        while (end < visibility.width && triangle[end] == id) ++end;
+        if (id != no_triangle) {
+          const DrawnObject& o = drawing.objects[object];
+          if (id < o.first || id >= o.end) object = drawing.object_of(id);
+          run(object, id, y, x, end);
+        }
+        x = end;
+      }
+    }
+  });
+}
+
+void mark(std::uint8_t& bits, std::uint8_t bit) {
+  // Several threads may mark a vertex, each with the same bits.
+  std::atomic_ref<std::uint8_t> shared(bits);
+  if ((shared.load(std::memory_order_relaxed) & bit) == 0) shared.fetch_or(bit, std::memory_order_relaxed);
+}
+
+// The weights of the source triangle's own vertices, where the visible one was cut from it.
+template <class Real>
+Vec3<Real> of_source(const std::array<glm::vec3, 3>& weights, const Vec3<Real>& w) {
+  return w.x * Vec3<Real>(weights[0]) + w.y * Vec3<Real>(weights[1]) + w.z * Vec3<Real>(weights[2]);
+}
+
+// A visible triangle, set up for its pixels: three values at its vertices, interpolated.
+template <class Real>
+class TrianglePixels {
+ public:
+  TrianglePixels(const DrawnObject& object, std::uint32_t id, const std::array<const WindowVertex*, 3>& window)
+      : weights_(window), cut_(object.is_clipped(id) ? &object.clipped_triangle(id).weights : nullptr) {}
+
+  Vec3<Real> weights(int x, int y) const {
+    const Vec3<Real> w = weights_.at(x, y);
+    return cut_ ? of_source(*cut_, w) : w;
+  }
+
+ private:
+  TriangleWeights<Real> weights_;
+  const std::array<glm::vec3, 3>* cut_;
+};
+
+template <class Real>
+Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
+  // The differences, so that a constant stays exactly itself.
+  return a + (weights.y * (b - a) + weights.z * (c - a));
+}
+
+// Writes a pixel; returns 1 where it was not finite.
+template <class Real>
+std::size_t write(glm::vec3& pixel, const Vec3<Real>& colour) {
+  const glm::vec3 c(colour);
+  pixel = is_finite(c) ? c : glm::vec3(0);
+  return is_finite(c) ? 0 : 1;
+}
+
+}  // namespace
+
+template <class Real>
+void mark_visible_vertices(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
+                           DeferredShading<Real>& shading) {
+  for (std::size_t o = 0; o < drawing.objects.size(); ++o)
+    shading.objects[o].vertices.visible.assign(drawing.objects[o].vertices.size(), 0);
+  const bool flat = shading.mode == ShadingMode::flat;
+  for_each_run(drawing, visibility, workers, [&](std::size_t o, std::uint32_t id, int, int, int) {
+    const DrawnObject& object = drawing.objects[o];
+    auto& visible = shading.objects[o].vertices.visible;
+    const std::uint32_t* i = &object.surface->indices[3 * std::size_t(object.source(id))];
+    const std::uint8_t bit = shading.lighting.two_sided && !is_front_face(object.window(id)) ? back_bit : front_bit;
+    if (!flat) mark(visible[i[0]], bit), mark(visible[i[1]], bit);
+    mark(visible[i[2]], bit);
+  });
+}
+
+template <class Real>
+void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Real>& shading) {
+  for (std::size_t o = 0; o < drawing.objects.size(); ++o) {
+    const DrawnObject& object = drawing.objects[o];
+    const Surface& surface = *object.surface;
+    ObjectShading<Real>& s = shading.objects[o];
+    ShadedVertices<Real>& v = s.vertices;
+    const std::size_t count = surface.positions.size();
+    const bool phong = shading.mode == ShadingMode::phong;
+    (phong ? v.P : v.front).resize(count);
+    if (phong) v.N.resize(count);
+    if (!phong && shading.lighting.two_sided) v.back.resize(count);
+    const Mat4<Real> to_eye(object.to_eye);
+    workers.for_each(part_count(count, vertices_a_part), [&](int i) {
+      const Part part = part_of(count, vertices_a_part, i);
+      for (std::size_t k = part.begin; k < part.end; ++k) {
+        if (v.visible[k] == 0) continue;
+        const Vec3<Real> P(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
+        const Vec3<Real> N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
+        if (phong) {
+          v.P[k] = P, v.N[k] = N;
+        } else {
+          if (v.visible[k] & front_bit) v.front[k] = light_point(shading.lighting, s.material, P, N);
+          if (v.visible[k] & back_bit) v.back[k] = light_point(shading.lighting, s.material, P, -N);
+        }
+      }
+    });
+  }
+}
+
+template <class Real>
+void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, const DeferredShading<Real>& shading,
+                  Workers& workers, Frame& frame) {
+  std::atomic<std::size_t> nan_pixels{0};
+  for_each_run(drawing, visibility, workers, [&](std::size_t o, std::uint32_t id, int y, int begin, int end) {
+    const DrawnObject& object = drawing.objects[o];
+    const ObjectShading<Real>& s = shading.objects[o];
+    const ShadedVertices<Real>& v = s.vertices;
+    const std::uint32_t* i = &object.surface->indices[3 * std::size_t(object.source(id))];
+    const auto window = object.window(id);
+    const bool back = shading.lighting.two_sided && !is_front_face(window);
+    glm::vec3* pixels = frame.colour.row(y);
+    const int y_up = visibility.height - 1 - y;
+    std::size_t bad = 0;
+    if (shading.mode == ShadingMode::flat) {
+      const Vec3<Real> colour = (back ? v.back : v.front)[i[2]];
+      for (int x = begin; x < end; ++x) bad += write(pixels[x], colour);
+    } else if (shading.mode == ShadingMode::gouraud) {
+      const TrianglePixels<Real> triangle(object, id, window);
+      const auto& colours = back ? v.back : v.front;
+      const Vec3<Real> a = colours[i[0]], b = colours[i[1]], c = colours[i[2]];
+      for (int x = begin; x < end; ++x) bad += write(pixels[x], interpolate(triangle.weights(x, y_up), a, b, c));
+    } else {
+      const TrianglePixels<Real> triangle(object, id, window);
+      for (int x = begin; x < end; ++x) {
+        const Vec3<Real> w = triangle.weights(x, y_up);
+        const Vec3<Real> P = interpolate(w, v.P[i[0]], v.P[i[1]], v.P[i[2]]);
+        Vec3<Real> N = interpolate(w, v.N[i[0]], v.N[i[1]], v.N[i[2]]);
+        if (s.normals.normalize) N = unit(N);
+        bad += write(pixels[x], light_point(shading.lighting, s.material, P, back ? -N : N));
+      }
+    }
+    if (bad > 0) nan_pixels.fetch_add(bad, std::memory_order_relaxed);
+  });
+  frame.nan_pixels = nan_pixels.load();
+}
+
+void resolve_geometry(const Scene& scene, const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
+                      Frame& frame) {
+  workers.for_each(visibility.height, [&](int y) {
+    const float* depth = &visibility.depth[visibility.row(y)];
+    const std::uint32_t* triangle = &visibility.triangle[visibility.row(y)];
+    std::copy(depth, depth + visibility.width, frame.depth.row(y));
+    std::uint8_t* covered = frame.covered.row(y);
+    for (int x = 0; x < visibility.width; ++x) covered[x] = triangle[x] != no_triangle;
+  });
+  const bool ids = !frame.object.empty(), normals = !frame.normal.empty();
+  if (!ids && !normals) return;
+  std::vector<NormalTransform<double>> to_world;
+  for (const DrawnObject& o : drawing.objects)
+    to_world.push_back(
+        normals_to_eye<double>(matrix(scene.objects[std::size_t(o.index)].transform), NormalLength::normalize));
+  for_each_run(drawing, visibility, workers, [&](std::size_t o, std::uint32_t id, int y, int begin, int end) {
+    const DrawnObject& object = drawing.objects[o];
+    const Surface& surface = *object.surface;
+    const std::uint32_t source = object.source(id);
+    if (ids) {
+      std::fill(frame.object.row(y) + begin, frame.object.row(y) + end, std::int32_t(object.index));
+      std::fill(frame.triangle.row(y) + begin, frame.triangle.row(y) + end, std::int32_t(surface.triangle[source]));
+    }
+    if (normals) {
+      const TrianglePixels<double> triangle(object, id, object.window(id));
+      const std::uint32_t* i = &surface.indices[3 * std::size_t(source)];
+      for (int x = begin; x < end; ++x) {
+        const glm::dvec3 n =
+            interpolate(triangle.weights(x, visibility.height - 1 - y), glm::dvec3(surface.normals[i[0]]),
+                        glm::dvec3(surface.normals[i[1]]), glm::dvec3(surface.normals[i[2]]));
+        frame.normal.at(x, y) = glm::vec3(eye_normal(to_world[o], n));
+      }
+    }
+  });
+}
+
+template void mark_visible_vertices(const Drawing&, const VisibilityBuffer&, Workers&, DeferredShading<float>&);
+template void mark_visible_vertices(const Drawing&, const VisibilityBuffer&, Workers&, DeferredShading<double>&);
+template void shade_vertices(const Drawing&, Workers&, DeferredShading<float>&);
+template void shade_vertices(const Drawing&, Workers&, DeferredShading<double>&);
+template void shade_pixels(const Drawing&, const VisibilityBuffer&, const DeferredShading<float>&, Workers&, Frame&);
+template void shade_pixels(const Drawing&, const VisibilityBuffer&, const DeferredShading<double>&, Workers&, Frame&);
+
+}  // namespace cg

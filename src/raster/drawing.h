@@ -1,0 +1,52 @@
+// What a picture is drawn from: the scene's objects on their way through the pipeline, and the numbers by which
+// the visibility buffer names their triangles.
+#pragma once
+#include <algorithm>
+
+#include "raster/clip.h"
+#include "scene/scene.h"
+
+namespace cg {
+
+// One object. Triangle t of its surface is visible as number first + t; its clipped triangle c as
+// first + surface->triangle_count() + c.
+struct DrawnObject {
+  int index = 0;  // in Scene::objects
+  SurfaceHandle surface;
+  glm::dmat4 to_eye{1};
+  glm::mat4 to_clip{1};
+  std::uint32_t outside = 0;  // bits of all vertices, or-ed
+  std::vector<WindowVertex> vertices;
+  std::vector<ClippedTriangle> clipped;
+  std::uint32_t first = 0, end = 0;
+
+  bool is_clipped(std::uint32_t id) const { return id - first >= surface->triangle_count(); }
+  const ClippedTriangle& clipped_triangle(std::uint32_t id) const {
+    return clipped[id - first - surface->triangle_count()];
+  }
+  // The surface's triangle that `id` is, or was cut from.
+  std::uint32_t source(std::uint32_t id) const { return is_clipped(id) ? clipped_triangle(id).source : id - first; }
+  // The three vertices of a visible triangle in the window.
+  std::array<const WindowVertex*, 3> window(std::uint32_t id) const {
+    if (is_clipped(id)) {
+      const auto& v = clipped_triangle(id).vertices;
+      return {&v[0], &v[1], &v[2]};
+    }
+    const std::uint32_t* i = &surface->indices[3 * std::size_t(id - first)];
+    return {&vertices[i[0]], &vertices[i[1]], &vertices[i[2]]};
+  }
+};
+
+inline constexpr std::uint32_t no_triangle = 0xffffffffu;
+
+struct Drawing {
+  std::vector<DrawnObject> objects;
+  // The object that `id` belongs to.
+  std::size_t object_of(std::uint32_t id) const {
+    const auto after = std::upper_bound(objects.begin(), objects.end(), id,
+                                        [](std::uint32_t i, const DrawnObject& o) { return i < o.first; });
+    return std::size_t(after - objects.begin()) - 1;
+  }
+};
+
+}  // namespace cg

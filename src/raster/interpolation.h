@@ -1,0 +1,49 @@
+// Perspective-correct interpolation over a visible triangle.
+// This work is based on: The OpenGL Graphics System 2.1, section 3.5.1, equation 3.6:
+//   f = (a f_a / w_a + b f_b / w_b + c f_c / w_c) / (a / w_a + b / w_b + c / w_c)
+#pragma once
+#include "raster/drawing.h"
+
+namespace cg {
+
+// The weights of a triangle's three vertices at a pixel; their sum is 1. As in OpenGL they come from the vertices
+// before snapping, so at a pixel whose centre was gained by snapping one of them is a little below 0.
+template <class Real>
+class TriangleWeights {
+ public:
+  TriangleWeights() = default;
+  explicit TriangleWeights(const std::array<const WindowVertex*, 3>& v) {
+    const Real x0 = Real(v[0]->x), y0 = Real(v[0]->y);
+    const Real x1 = Real(v[1]->x) - x0, y1 = Real(v[1]->y) - y0;
+    const Real x2 = Real(v[2]->x) - x0, y2 = Real(v[2]->y) - y0;
+    const Real area = x1 * y2 - x2 * y1;
+    const Real s = std::abs(area) > Real(0) ? Real(1) / area : Real(0);  // no area before snapping: the first vertex's
+    x_ = x0 - Real(0.5), y_ = y0 - Real(0.5);
+    b_dx_ = y2 * s, b_dy_ = -x2 * s;
+    c_dx_ = -y1 * s, c_dy_ = x1 * s;
+    // Relative to the first vertex's, as only the ratio counts and 1/w may be as small as 1e-38.
+    w_b_ = Real(v[1]->w_inverse) / Real(v[0]->w_inverse);
+    w_c_ = Real(v[2]->w_inverse) / Real(v[0]->w_inverse);
+  }
+
+  // (x, y): the pixel, y counted from the bottom.
+  Vec3<Real> at(int x, int y) const {
+    const Real px = Real(x) - x_, py = Real(y) - y_;
+    const Real b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
+    const Real bw = b * w_b_, cw = c * w_c_;
+    const Real s = Real(1) / ((Real(1) - b - c) + bw + cw);
+    return {Real(1) - (bw + cw) * s, bw * s, cw * s};
+  }
+
+ private:
+  Real x_ = 0, y_ = 0, b_dx_ = 0, b_dy_ = 0, c_dx_ = 0, c_dy_ = 0, w_b_ = 1, w_c_ = 1;
+};
+
+// Is the front face seen: counter-clockwise in the window (glFrontFace( GL_CCW )).
+inline bool is_front_face(const std::array<const WindowVertex*, 3>& v) {
+  const std::int64_t x1 = v[1]->snapped_x - v[0]->snapped_x, y1 = v[1]->snapped_y - v[0]->snapped_y;
+  const std::int64_t x2 = v[2]->snapped_x - v[0]->snapped_x, y2 = v[2]->snapped_y - v[0]->snapped_y;
+  return x1 * y2 - x2 * y1 > 0;
+}
+
+}  // namespace cg

@@ -1,0 +1,163 @@
+#include "raster/software.h"
+
+#include <ctime>
+#include <mutex>
+
+#include "raster/deferred_shading.h"
+#include "raster/software_plan.h"
+#include "shading/surface_cache.h"
+
+namespace cg {
+
+namespace {
+
+// Buffers that are kept from picture to picture, so that a frame does not begin by asking for memory.
+struct Buffers {
+  Drawing drawing;
+  VisibilityBuffer visibility;
+  DeferredShading<float> float_shading;
+  DeferredShading<double> double_shading;
+  template <class Real>
+  DeferredShading<Real>& shading() {
+    if constexpr (sizeof(Real) == sizeof(float))
+      return float_shading;
+    else
+      return double_shading;
+  }
+};
+
+class BufferPool {
+ public:
+  std::unique_ptr<Buffers> take() {
+    const std::lock_guard lock(mutex_);
+    if (!kept_) return std::make_unique<Buffers>();
+    return std::move(kept_);
+  }
+  void give(std::unique_ptr<Buffers> buffers) {
+    const std::lock_guard lock(mutex_);
+    kept_ = std::move(buffers);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<Buffers> kept_;
+};
+
+double cpu_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+Frame empty_frame(const Scene& scene, const Plan& plan, const View& view) {
+  Frame f;
+  const int w = std::max(view.width, 0), h = std::max(view.height, 0);
+  f.colour = ColourImage(w, h, glm::vec3(scene.display.background));
+  f.depth = Image<float>(w, h, 1.0f);
+  f.covered = Image<std::uint8_t>(w, h);
+  if (plan.runs("ids")) f.object = f.triangle = Image<std::int32_t>(w, h, nothing);
+  if (plan.runs("normals")) f.normal = Image<glm::vec3>(w, h, glm::vec3(0));
+  return f;
+}
+
+// The visible objects, each with its surface and matrices; their triangles are numbered later, after clipping.
+void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
+  const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    workers.check();
+    if (!object.visible || !object.mesh) continue;
+    if (used == drawing.objects.size()) drawing.objects.emplace_back();
+    DrawnObject& o = drawing.objects[used++];
+    o.index = int(i);
+    o.surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    o.to_eye = surface_to_eye(scene, object, *o.surface);
+    o.to_clip = surface_to_clip(projection, glm::mat4(o.to_eye));
+  }
+  drawing.objects.resize(used);
+}
+
+void number_triangles(Drawing& drawing) {
+  std::uint32_t next = 0;
+  for (DrawnObject& o : drawing.objects) {
+    o.first = next;
+    o.end = next += std::uint32_t(o.surface->triangle_count() + o.clipped.size());
+  }
+}
+
+template <class Real>
+void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing, DeferredShading<Real>& shading) {
+  shading.mode = plan.runs("face-lighting")     ? ShadingMode::flat
+                 : plan.runs("vertex-lighting") ? ShadingMode::gouraud
+                                                : ShadingMode::phong;
+  shading.lighting = lighting_in_eye_space<Real>(scene, view_matrix(scene.camera));
+  shading.lighting.two_sided = plan.runs("two-sides");
+  shading.objects.resize(drawing.objects.size());
+  for (std::size_t k = 0; k < drawing.objects.size(); ++k) {
+    const Object& object = scene.objects[std::size_t(drawing.objects[k].index)];
+    shading.objects[k].material = eye_material<Real>(material_of(scene, object), scene.shading.color_material);
+    shading.objects[k].normals =
+        normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
+  }
+}
+
+// The pipeline, in the order of the lecture.
+template <class Real>
+Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& progress, Buffers& buffers) {
+  Workers workers(view.threads, progress);
+  Frame frame = empty_frame(scene, plan, view);
+  if (frame.colour.empty() || !plan.runs("transform")) return frame;
+  Drawing& drawing = buffers.drawing;
+  const Viewport viewport(view.width, view.height);
+
+  gather_objects(scene, view, workers, drawing);
+  for (DrawnObject& o : drawing.objects)
+    o.outside = transform_vertices(o.surface->positions, o.to_clip, viewport, workers, o.vertices);
+  for (DrawnObject& o : drawing.objects) {
+    o.clipped.clear();
+    if (plan.runs("clip") && o.outside != 0)
+      clip_triangles(*o.surface, o.to_clip, viewport, o.vertices, workers, o.clipped);
+  }
+  number_triangles(drawing);
+  workers.done(0.1f);
+
+  buffers.visibility.clear(view.width, view.height);
+  find_visible(drawing, workers, buffers.visibility);
+  workers.done(0.6f);
+
+  DeferredShading<Real>& shading = buffers.template shading<Real>();
+  begin_shading(scene, plan, drawing, shading);
+  mark_visible_vertices(drawing, buffers.visibility, workers, shading);
+  shade_vertices(drawing, workers, shading);
+  workers.done(0.8f);
+  shade_pixels(drawing, buffers.visibility, shading, workers, frame);
+  resolve_geometry(scene, drawing, buffers.visibility, workers, frame);
+  workers.done(1.0f);
+  return frame;
+}
+
+}  // namespace
+
+Technique software_technique() {
+  Technique t;
+  t.id = "software";
+  t.name = {"Software", "ソフトウェア"};
+  t.unsupported = [](const Scene&) { return std::nullopt; };
+  t.plan = software_plan;
+  t.render = [pool = std::make_shared<BufferPool>()](const Scene& scene, const Plan& plan, const View& view,
+                                                     Progress& progress) {
+    const double begin = cpu_ms();
+    std::unique_ptr<Buffers> buffers = pool->take();
+    Frame frame = scene.shading.precision == Precision::double_precision
+                      ? draw<double>(scene, plan, view, progress, *buffers)
+                      : draw<float>(scene, plan, view, progress, *buffers);
+    for (DrawnObject& o : buffers->drawing.objects) o.surface.reset();  // keep memory, not meshes
+    pool->give(std::move(buffers));
+    frame.cpu_ms = cpu_ms() - begin;
+    return frame;
+  };
+  return t;
+}
+
+}  // namespace cg

@@ -1,0 +1,95 @@
+#include "raster/visibility.h"
+
+#include "raster/triangle_raster.h"
+
+namespace cg {
+
+namespace {
+
+constexpr std::size_t part_size = 8192;  // triangles a part: less than a millisecond's work
+
+// A run of an object's triangles, and the numbers of those that touch each band, in the order of drawing.
+struct TrianglePart {
+  std::size_t object;
+  Part triangles;
+  std::vector<std::vector<std::uint32_t>> of_band;
+};
+
+std::vector<TrianglePart> parts_of(const Drawing& drawing) {
+  std::vector<TrianglePart> parts;
+  for (std::size_t o = 0; o < drawing.objects.size(); ++o) {
+    const std::size_t count = drawing.objects[o].surface->triangle_count();
+    for (int i = 0; i < part_count(count, part_size); ++i) parts.push_back({o, part_of(count, part_size, i), {}});
+  }
+  return parts;
+}
+
+// Calls draw(v0, v1, v2, id) for each triangle of the part that clipping left, in order.
+template <class Draw>
+void for_each_triangle(const DrawnObject& object, const Part& part, const Draw& draw) {
+  const std::vector<std::uint32_t>& indices = object.surface->indices;
+  auto cut = std::lower_bound(object.clipped.begin(), object.clipped.end(), part.begin,
+                              [](const ClippedTriangle& c, std::size_t t) { return c.source < t; });
+  for (std::size_t t = part.begin; t < part.end; ++t) {
+    const WindowVertex& v0 = object.vertices[indices[3 * t]];
+    const WindowVertex& v1 = object.vertices[indices[3 * t + 1]];
+    const WindowVertex& v2 = object.vertices[indices[3 * t + 2]];
+    if ((v0.outside | v1.outside | v2.outside) == 0) draw(v0, v1, v2, object.first + std::uint32_t(t));
+    for (; cut != object.clipped.end() && cut->source == t; ++cut)
+      draw(cut->vertices[0], cut->vertices[1], cut->vertices[2],
+           object.first + std::uint32_t(object.surface->triangle_count() + std::size_t(cut - object.clipped.begin())));
+  }
+}
+
+// Sorts a part's triangles into the bands of `band_rows` rows that they touch.
+void sort_into_bands(const Drawing& drawing, int height, int band_rows, int band_count, TrianglePart& part) {
+  part.of_band.assign(std::size_t(band_count), {});
+  for (auto& list : part.of_band) list.reserve(part_size / std::size_t(band_count) * 2);
+  for_each_triangle(drawing.objects[part.object], part.triangles,
+                    [&](const WindowVertex& v0, const WindowVertex& v1, const WindowVertex& v2, std::uint32_t id) {
+                      const PixelBox box = pixel_box(v0, v1, v2);
+                      if (box.empty()) return;
+                      const int first = std::clamp((height - 1 - box.high_y) / band_rows, 0, band_count - 1);
+                      const int last = std::clamp((height - 1 - box.low_y) / band_rows, 0, band_count - 1);
+                      for (int b = first; b <= last; ++b) part.of_band[std::size_t(b)].push_back(id);
+                    });
+}
+
+}  // namespace
+
+void VisibilityBuffer::clear(int w, int h) {
+  width = w, height = h;
+  stride = std::size_t(w) + lanes;
+  depth.assign(stride * std::size_t(h), 1.0f);
+  triangle.assign(stride * std::size_t(h), no_triangle);
+}
+
+void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out) {
+  std::vector<TrianglePart> parts = parts_of(drawing);
+  if (workers.threads() == 1) {  // one band: no sorting
+    workers.for_each(int(parts.size()), [&](int i) {
+      const TrianglePart& part = parts[std::size_t(i)];
+      for_each_triangle(drawing.objects[part.object], part.triangles, [&](const auto&... triangle) {
+        draw_triangle({&out, 0, out.height}, triangle...);
+      });
+    });
+    return;
+  }
+  // More bands than threads, so that a thread whose bands are empty takes another's.
+  const int band_count = std::min(8 * workers.threads(), std::max(out.height, 1));
+  const int band_rows = (out.height + band_count - 1) / band_count;
+  workers.for_each(int(parts.size()),
+                   [&](int i) { sort_into_bands(drawing, out.height, band_rows, band_count, parts[std::size_t(i)]); });
+  workers.for_each(band_count, [&](int b) {
+    const Band band{&out, b * band_rows, std::min((b + 1) * band_rows, out.height)};
+    for (const TrianglePart& part : parts) {
+      workers.check();
+      for (const std::uint32_t id : part.of_band[std::size_t(b)]) {
+        const auto v = drawing.objects[part.object].window(id);
+        draw_triangle(band, *v[0], *v[1], *v[2], id);
+      }
+    }
+  });
+}
+
+}  // namespace cg
