@@ -62,7 +62,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(string_t& k) override {
     if (!unfinished_.back().seen.insert(k).second) {
-      problem = {"the key \"" + k + "\" stands twice in one object", "キー「" + k + "」が同じ階層に二度ある"};
+      problem = {"the key \"" + k + "\" stands twice in one object", "キー「" + k + "」が同じ階層に二度あります"};
       return false;
     }
     unfinished_.back().key = std::move(k);
@@ -71,11 +71,11 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& e) override {
     if (e.id == 406)
-      problem = {"the number " + token + " is too large for a double", "数 " + token + " は double に収まらない"};
+      problem = {"the number " + token + " is too large for a double", "数 " + token + " は double に収まりません"};
     else if (token.empty() || token == "<U+0000>")
-      problem = {"the text ends too early", "途中で終わっている"};
+      problem = {"the text ends too early", "途中で終わっています"};
     else
-      problem = {"this is not JSON at '" + token + "'", "'" + token + "' の所で JSON になっていない"};
+      problem = {"this is not JSON at '" + token + "'", "'" + token + "' の所で JSON になっていません"};
     return false;
   }
 
@@ -101,7 +101,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(Tree empty) {
     if (unfinished_.size() == deepest) {
-      problem = {"nested more than 64 levels deep", "入れ子が 64 段より深い"};
+      problem = {"nested more than 64 levels deep", "入れ子が 64 段より深くなっています"};
       return false;
     }
     unfinished_.push_back({std::move(empty), {}, {}});
@@ -171,7 +171,7 @@ void append(std::string& out, const Tree& tree, int indent, int level) {
 }  // namespace
 
 Tree parse_json(std::string_view text, const std::string& where) {
-  if (text.size() > largest_text) throw InputError(where, {"the text is larger than 16 MiB", "16 MiB より大きい"});
+  if (text.size() > largest_text) throw InputError(where, {"the text is larger than 16 MiB", "16 MiB を超えています"});
   const char* furthest = text.data();
   Builder builder;
   const Reading begin(text.data(), &furthest), end(text.data() + text.size(), &furthest);

@@ -6,7 +6,7 @@
 
 namespace cg {
 
-// The shortest text that reads back as the same bits: "0.1", "1", "-0", "1e+20". Not finite: "nan", "inf", "-inf".
+// The fewest digits that read back as the same bits: "0.1", "100000", "-0", "1e+20". Not finite: "nan", "inf", "-inf".
 std::string number_text(double v);
 
 // The same as C source that stays a double: "1.0", "-0.0", "1e+20". `v` is finite.

@@ -43,27 +43,28 @@ Text what_is_accepted(const Slot& slot) {
   const Text range = limits(*slot.about);
   const bool colour = slot.about->meaning == Meaning::colour;
   return std::visit(Visitor{[](const bool*) {
-                              return Text{"give true or false", "true か false を指定する"};
+                              return Text{"give true or false", "true か false を指定してください"};
                             },
                             [&](const int*) {
-                              return Text{"give a whole number " + range.en, range.ja + " の整数を指定する"};
+                              return Text{"give a whole number " + range.en, range.ja + " の整数を指定してください"};
                             },
                             [&](const double*) {
-                              return Text{"give a number " + range.en, range.ja + " の数を指定する"};
+                              return Text{"give a number " + range.en, range.ja + " の数を指定してください"};
                             },
                             [&](const glm::dvec3*) {
                               return colour ? Text{"give three numbers (or one for all three) " + range.en,
-                                                   range.ja + " の数を三つ（または共通の一つ）指定する"}
-                                            : Text{"give three numbers " + range.en, range.ja + " の数を三つ指定する"};
+                                                   range.ja + " の数を三つ（または共通の一つ）指定してください"}
+                                            : Text{"give three numbers " + range.en,
+                                                   range.ja + " の数を三つ指定してください"};
                             },
                             [](const std::string*) {
-                              return Text{"give a text", "文字列を指定する"};
+                              return Text{"give a text", "文字列を指定してください"};
                             },
                             [](const Choice& c) {
                               std::string names;
                               for (const Name& name : c.names)
                                 names += (names.empty() ? "" : ", ") + std::string(name.id);
-                              return Text{"known are: " + names, "使えるのは " + names};
+                              return Text{"known are: " + names, "使えるのは " + names + " です"};
                             }},
                     slot.value);
 }
@@ -79,7 +80,8 @@ std::string shown(const Tree& value) {
 }
 
 [[noreturn]] void refuse(const Slot& slot, const std::string& found) {
-  throw InputError(slot.path, {found + " is not possible here", found + " はここでは使えない"}, what_is_accepted(slot));
+  throw InputError(slot.path, {found + " is not possible here", found + " はここでは使えません"},
+                   what_is_accepted(slot));
 }
 
 // Checks a number against the description. Written so that NaN is refused.
@@ -192,6 +194,46 @@ void assign_text(const Slot& slot, std::string_view text) {
 bool is_initial(const Slot& slot) { return slot_tree(slot) == initial_tree(slot); }
 void reset(const Slot& slot) { assign(slot, initial_tree(slot)); }
 
+Tree& at_path(Tree& root, std::string_view path) {
+  Tree* tree = &root;
+  for (std::size_t dot = path.find('.'); dot != path.npos; dot = path.find('.')) {
+    tree = &tree->at(path.substr(0, dot));
+    path.remove_prefix(dot + 1);
+  }
+  return tree->at(path);
+}
+
+Tree values_of(const Slots& all) {
+  Tree out{Tree::Members{}};
+  for (const Slot& slot : all) at_path(out, slot.path) = slot_tree(slot);
+  return out;
+}
+
+std::size_t take_values(const Slots& all, const Tree& values) {
+  std::size_t left = 0;
+  const auto take = [&](const auto& self, const Tree& tree, const std::string& prefix) -> void {
+    for (const auto& [key, value] : *tree.members()) {
+      if (value.members()) {
+        self(self, value, prefix + key + ".");
+        continue;
+      }
+      const auto slot =
+          std::find_if(all.begin(), all.end(), [path = prefix + key](const Slot& s) { return s.path == path; });
+      try {
+        if (slot == all.end())
+          ++left;
+        else
+          assign(*slot, value);
+      } catch (const InputError&) {
+        ++left;
+      }
+    }
+  };
+  if (!values.members()) return 1;
+  take(take, values, "");
+  return left;
+}
+
 const Slot& find_slot(const Slots& all, std::string_view path) {
   for (const Slot& slot : all)
     if (slot.path == path) return slot;
@@ -206,8 +248,8 @@ const Slot& find_slot(const Slots& all, std::string_view path) {
   std::string names;
   for (const std::string& name : names_after(all, prefix, path.substr(std::min(prefix.size(), path.size()))))
     names += (names.empty() ? "" : ", ") + prefix + name;
-  throw InputError(std::string(path), {"there is no such parameter", "そのような変数はない"},
-                   {"known are: " + names, "あるのは " + names});
+  throw InputError(std::string(path), {"there is no such parameter", "そのような項目はありません"},
+                   {"known are: " + names, "あるのは " + names + " です"});
 }
 
 }  // namespace cg

@@ -82,6 +82,16 @@ void assign_text(const Slot& slot, std::string_view text);
 bool is_initial(const Slot& slot);
 void reset(const Slot& slot);
 
+// All values, nested as the paths are: {"material": {"k_d": [0.8, 0.8, 0.8]}}.
+Tree values_of(const Slots& all);
+
+// Takes from `values` what is known and valid, and leaves the rest as it is: for settings, which a newer program or a
+// damaged file must not make unusable. Returns how many values of `values` it did not take.
+std::size_t take_values(const Slots& all, const Tree& values);
+
+// The place of `path` in nested objects, which are made where they are missing.
+Tree& at_path(Tree& root, std::string_view path);
+
 // The slot at `path`, or InputError that lists what is there, the nearest names first.
 const Slot& find_slot(const Slots& all, std::string_view path);
 

@@ -97,6 +97,12 @@ TEST(Json, WritesWhatAPersonCanRead) {
 TEST(Numbers, Texts) {
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(1), "1");
+  EXPECT_EQ(number_text(100000), "100000");
+  EXPECT_EQ(number_text(-0.0001), "-0.0001");
+  EXPECT_EQ(number_text(1e-9), "1e-09");
+  EXPECT_EQ(number_text(-0.0), "-0");
+  EXPECT_EQ(number_text(std::nan("")), "nan");
+  EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "-inf");
   EXPECT_EQ(c_literal(1), "1.0");
   EXPECT_EQ(c_literal(-0.0), "-0.0");
   EXPECT_EQ(c_literal(1e20), "1e+20");
