@@ -6,22 +6,26 @@
 
 namespace cg {
 
-void ShapeBuilder::face(std::span<const ShapeCorner> corners) {
-  const auto index = [](Numbering& number, const auto& value, auto& list) {
-    const std::uint32_t i = number(BitsAndIndex(glm::dvec3(value)));
+Corner ShapeBuilder::corner(const ShapeCorner& c) {
+  const auto index = [](Numbering& number, const glm::dvec3& key, const auto& value, auto& list) {
+    const std::uint32_t i = number(BitsAndIndex(key));
     if (i == list.size()) list.push_back(value);
     return i;
   };
-  std::vector<Corner> face;
-  for (const ShapeCorner& c : corners) {
-    const std::uint32_t position = index(positions_, c.position, data_.positions);
-    if (!face.empty() && face.back().position == position) continue;
-    const std::uint32_t uv = uvs_(BitsAndIndex(glm::dvec3(c.uv, 0)));
-    if (uv == data_.uvs.size()) data_.uvs.push_back(c.uv);
-    face.push_back({position, index(normals_, c.normal, data_.normals), uv});
-  }
-  while (face.size() > 1 && face.back().position == face.front().position) face.pop_back();
-  if (face.size() >= 3) data_.add_face(face.data(), face.data() + face.size());
+  return {index(positions_, c.position, c.position, data_.positions),
+          index(normals_, c.normal, c.normal, data_.normals), index(uvs_, {c.uv, 0}, c.uv, data_.uvs)};
+}
+
+void ShapeBuilder::face(std::span<const Corner> corners) {
+  const std::size_t begin = data_.corners.size();
+  const auto size = [&] { return data_.corners.size() - begin; };
+  for (const Corner& c : corners)
+    if (size() == 0 || data_.corners.back().position != c.position) data_.corners.push_back(c);
+  while (size() > 1 && data_.corners.back().position == data_.corners[begin].position) data_.corners.pop_back();
+  if (size() >= 3)
+    data_.first_corner.push_back(std::uint32_t(data_.corners.size()));
+  else
+    data_.corners.resize(begin);
 }
 
 void ShapeBuilder::fit() {

@@ -14,8 +14,10 @@ struct ShapeCorner {
 
 class ShapeBuilder {
  public:
+  Corner corner(const ShapeCorner& c);
+
   // A face, counter-clockwise. Neighbouring corners at the same position become one (the triangles at a pole).
-  void face(std::span<const ShapeCorner> corners);
+  void face(std::span<const Corner> corners);
 
   // rows x columns quads over the corners at(row, column), 0..rows, 0..columns. The quads are counter-clockwise
   // seen from the side to which d(position)/d(column) x d(position)/d(row) points.
@@ -42,10 +44,10 @@ Turn turn(long i, long n);
 
 template <class At>
 void ShapeBuilder::grid(int rows, int columns, const At& at) {
-  std::vector<ShapeCorner> below, above;
+  std::vector<Corner> below, above;
   for (int row = 0; row <= rows; ++row) {
     above.clear();
-    for (int column = 0; column <= columns; ++column) above.push_back(at(row, column));
+    for (int column = 0; column <= columns; ++column) above.push_back(corner(at(row, column)));
     for (int c = 0; c < columns && row > 0; ++c) face(std::array{below[c], below[c + 1], above[c + 1], above[c]});
     std::swap(below, above);
   }

@@ -33,7 +33,7 @@ void add_sphere_triangle(ShapeBuilder& builder, const std::array<glm::dvec3, 3>&
     if (!at_pole(i) && largest - face[i].uv.x > 0.5) face[i].uv.x += 1;
   for (int i = 0; i < 3; ++i)
     if (at_pole(i)) face[i].uv.x = 0.5 * (face[(i + 1) % 3].uv.x + face[(i + 2) % 3].uv.x);
-  builder.face(face);
+  builder.face(std::array{builder.corner(face[0]), builder.corner(face[1]), builder.corner(face[2])});
 }
 
 void subdivide(ShapeBuilder& builder, const std::array<glm::dvec3, 3>& p, int level) {

@@ -99,7 +99,8 @@ MeshData make_cone(int slices) {
   ShapeBuilder builder;
   builder.grid(rows - 1, slices, [&](int row, int column) { return corner(row, 2 * column); });
   for (int c = 0; c < slices; ++c)
-    builder.face(std::array{corner(rows - 1, 2 * c), corner(rows - 1, 2 * c + 2), corner(rows, 2 * c + 1)});
+    builder.face(std::array{builder.corner(corner(rows - 1, 2 * c)), builder.corner(corner(rows - 1, 2 * c + 2)),
+                            builder.corner(corner(rows, 2 * c + 1))});
   disc(builder, slices, rings, radius, -half_height, false);
   return builder.take();
 }
