@@ -1,0 +1,81 @@
+// What the tests of the readers share.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "params/file.h"
+#include "scene/model_file.h"
+
+namespace cg {
+
+// Reads `bytes` as the format of `extension` ("obj"), as if it were the file "test.obj".
+inline Model read_bytes(const std::string& extension, const std::string& bytes) {
+  const std::string where = "test." + extension;
+  if (extension == "obj") return read_obj(bytes, where, {});
+  if (extension == "ply") return read_ply(bytes, where);
+  if (extension == "off") return read_off(bytes, where);
+  return read_stl(bytes, where);
+}
+
+inline std::size_t face_count(const Model& model) {
+  std::size_t n = 0;
+  for (const ModelPart& part : model.parts) n += part.mesh->data().face_count();
+  return n;
+}
+
+// The message of the InputError that reading throws; empty where it does not.
+inline std::string error_of(const std::string& extension, const std::string& bytes) {
+  try {
+    read_bytes(extension, bytes);
+    return "";
+  } catch (const InputError& e) {
+    EXPECT_FALSE(e.found.ja.empty());
+    EXPECT_EQ(e.accepted.en.empty(), e.accepted.ja.empty());
+    EXPECT_EQ(e.message(Language::english).find('\n'), std::string::npos);
+    return e.message(Language::english);
+  }
+}
+
+inline std::vector<glm::dvec3> positions_of_face(const Mesh& mesh, std::size_t f) {
+  const MeshData& data = mesh.data();
+  std::vector<glm::dvec3> out;
+  for (std::uint32_t c = data.first_corner[f]; c < data.first_corner[f + 1]; ++c)
+    out.push_back(data.positions[data.corners[c].position]);
+  return out;
+}
+
+// One text that must be refused: its message begins with `begin` ("test.obj:3: ") and has `part` in it.
+struct Refused {
+  std::string bytes, begin, part;
+};
+
+inline void expect_refused(const std::string& extension, const std::vector<Refused>& all) {
+  for (const Refused& one : all) {
+    const std::string message = error_of(extension, one.bytes);
+    EXPECT_TRUE(message.starts_with(one.begin)) << one.bytes.substr(0, 200) << "\n-> " << message;
+    EXPECT_NE(message.find(one.part), std::string::npos) << one.bytes.substr(0, 200) << "\n-> " << message;
+  }
+}
+
+// A folder of its own for files, removed at the end.
+class TestFolder {
+ public:
+  TestFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "shadebench-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~TestFolder() { std::filesystem::remove_all(path_); }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    save_file(path_ / name, bytes);
+    return path_ / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace cg
