@@ -2,6 +2,7 @@
 // Panels and panes read and change it in the one thread of the window; a change is found by comparing values.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +10,10 @@
 #include "params/input_error.h"
 #include "scene/technique.h"
 #include "ui/look.h"
+#include "ui/opening.h"
 #include "ui/settings.h"
+#include "workbench/history.h"
+#include "workbench/job.h"
 
 namespace cg {
 
@@ -43,9 +47,20 @@ struct Editing {
   bool fresh = false;  // the field takes the keyboard at the next frame
 };
 
+// The dialogue that is open, over all else.
+struct Dialogue {
+  enum Kind { none, open, save, picture } kind = none;
+  std::string text;
+  bool fresh = false;  // it opens in this frame
+};
+
 struct App {
-  Scene scene;         // meshes loaded; the panes draw a copy of it with `isolated` applied
-  std::string source;  // what it was opened from: a shape, a model file, a preset
+  Scene scene;  // meshes loaded; the panes draw a copy of it with `isolated` applied
+  History<Scene> history{Scene{}};
+  std::string preset;                // the file that the scene came from or was saved to; empty: none
+  std::vector<std::string> bundled;  // names of the models that come with the program
+  std::vector<std::string> recent;   // what was opened, the newest first
+  std::shared_ptr<Errands> errands = std::make_shared<Errands>();
 
   std::vector<Technique> techniques;  // at least one; those unavailable stay in the list, with their reason
   int left = 0, right = 0;            // indices into techniques
@@ -57,15 +72,21 @@ struct App {
   bool fit_asked = false;     // the panes fit the camera at the next frame, then clear it
   bool turntable = false;
 
+  // Filled by the panes.
   Figures figures;
-  std::vector<Plan> plans;  // of the left and the right technique for the scene as it is drawn
+  DrawingHandle drawings[2];  // the newest of the left and the right technique; null before the first
+  std::vector<Plan> plans;    // of the left and the right technique for the scene as it is drawn
   std::vector<Toast> toasts;
 
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
   Quantity lit = Quantity::none, lit_next = Quantity::none;
 
   Editing editing;
+  Dialogue dialogue;
+  int picture_side = 1;  // which picture is saved: 0 left, 1 right
+  bool help = false;
   double now = 0;              // seconds of the window's clock at this frame
+  bool gesture = false;        // a drag in the panes is one step of undo: set by them while it lasts
   bool animating = false;      // set in a frame by whoever needs the next frame at once (a drag, a turntable)
   double next_frame = 0;       // the time by which there must be a frame though nothing happens
   double scrolled_at = -1;     // when a panel was last scrolled: then the wheel turns no value
@@ -73,6 +94,9 @@ struct App {
 
   Language language() const { return settings.language; }
 };
+
+// After a frame: what changed in the scene becomes a step of undo; a drag is one.
+void keep_history(App& app);
 
 // Writes a text at ImGui's cursor, in the window's language, its glyphs made sure of.
 void write(App& app, std::string_view text);

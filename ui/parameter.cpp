@@ -47,8 +47,8 @@ void number(App& app, const Slot& slot, double value) {
 }
 
 // A row a coordinate: x, y, z. Each is set back by itself.
-void coordinates(App& app, const Slot& slot, const glm::dvec3& value) {
-  label_above(app, slot);
+void coordinates(App& app, const Slot& slot, const glm::dvec3& value, bool labelled) {
+  if (labelled) label_above(app, slot);
   const glm::dvec3& initial = **std::get_if<glm::dvec3*>(&slot.initial);
   constexpr std::array<const char*, 3> letters{"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
@@ -145,7 +145,7 @@ void choice(App& app, const Slot& slot, const Choice& c) {
 
 }  // namespace
 
-void parameter(App& app, const Slot& slot) {
+void parameter(App& app, const Slot& slot, bool labelled) {
   ImGui::PushID(slot.path.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {app.look.px(8), app.look.px(4)});
   if (auto v = std::get_if<bool*>(&slot.value)) {
@@ -159,7 +159,7 @@ void parameter(App& app, const Slot& slot) {
     if (slot.about->meaning == Meaning::colour)
       colour(app, slot, **v);
     else
-      coordinates(app, slot, **v);
+      coordinates(app, slot, **v, labelled);
   } else if (auto v = std::get_if<Choice>(&slot.value)) {
     choice(app, slot, *v);
   }
@@ -167,11 +167,12 @@ void parameter(App& app, const Slot& slot) {
   ImGui::PopID();
 }
 
-void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names) {
+void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names,
+                bool labelled) {
   for (std::string_view name : names)
     for (const Slot& slot : all)
       if (slot.path.size() == prefix.size() + name.size() && slot.path.starts_with(prefix) && slot.path.ends_with(name))
-        parameter(app, slot);
+        parameter(app, slot, labelled);
 }
 
 }  // namespace cg

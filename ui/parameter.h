@@ -8,10 +8,12 @@ namespace cg {
 struct App;
 
 // Draws `slot` as wide as the room there is: a number as one row, a position or direction as a row a coordinate, a
-// colour as brightness and swatch, an enumeration as buttons or a list, a bool as a switch.
-void parameter(App& app, const Slot& slot);
+// colour as brightness and swatch, an enumeration as buttons or a list, a bool as a switch. Without a symbol its label
+// stands above it; `labelled` false leaves that of a position out, where a heading has said it.
+void parameter(App& app, const Slot& slot, bool labelled = true);
 
 // The same for the slots whose path is `prefix` + one of `names`, in the order of `names`.
-void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names);
+void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names,
+                bool labelled = true);
 
 }  // namespace cg

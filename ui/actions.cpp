@@ -1,0 +1,140 @@
+#include "ui/actions.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "ui/app.h"
+#include "ui/opening.h"
+
+namespace cg {
+namespace {
+
+constexpr std::array list{
+    Action{Do::open, {"Open", "開く"}, "Ctrl+O", GLFW_KEY_O, true},
+    Action{Do::save, {"Save", "保存"}, "Ctrl+S", GLFW_KEY_S, true},
+    Action{Do::picture, {"Picture", "画像"}, "Ctrl+P", GLFW_KEY_P, true},
+    Action{Do::undo, {"Undo", "元に戻す"}, "Ctrl+Z", GLFW_KEY_Z, true},
+    Action{Do::redo, {"Redo", "やり直す"}, "Ctrl+Y", GLFW_KEY_Y, true},
+    Action{Do::redo, {"Redo", "やり直す"}, "Ctrl+Shift+Z", GLFW_KEY_Z, true, true},
+    Action{Do::fit, {"Fit into view", "全体を表示"}, "F", GLFW_KEY_F},
+    Action{Do::turntable, {"Turntable", "回転台"}, "T", GLFW_KEY_T},
+    Action{Do::swap, {"Swap left and right", "左右を入れ替える"}, "Tab", GLFW_KEY_TAB},
+    Action{Do::view_two, {"Two pictures", "並べる"}, "1", GLFW_KEY_1},
+    Action{Do::view_wipe, {"Wipe", "ワイプ"}, "2", GLFW_KEY_2},
+    Action{Do::view_flip, {"Flip", "切替"}, "3", GLFW_KEY_3},
+    Action{Do::view_difference, {"Difference", "差"}, "4", GLFW_KEY_4},
+    Action{Do::view_false_colour, {"False colour", "擬似カラー"}, "5", GLFW_KEY_5},
+    Action{Do::larger, {"Larger type", "文字を大きく"}, "Ctrl +", GLFW_KEY_EQUAL, true},
+    Action{Do::smaller, {"Smaller type", "文字を小さく"}, "Ctrl −", GLFW_KEY_MINUS, true},
+    Action{Do::usual_size, {"Usual size", "標準の大きさ"}, "Ctrl 0", GLFW_KEY_0, true},
+    Action{Do::language, {"日本語 / English", "日本語 / English"}, "L", GLFW_KEY_L},
+    Action{Do::theme, {"Light or dark", "明るい・暗い配色"}, "D", GLFW_KEY_D},
+    Action{Do::plan, {"Plan", "計画"}, "P", GLFW_KEY_P},
+    Action{Do::mesh, {"Mesh", "メッシュ"}, "M", GLFW_KEY_M},
+    Action{Do::help, {"Keys", "キー"}, "F1", GLFW_KEY_F1},
+};
+
+// Keys that stand for the same as one of the list: the number pad, and + with Shift.
+constexpr std::array also{std::pair{GLFW_KEY_KP_ADD, Do::larger}, std::pair{GLFW_KEY_KP_SUBTRACT, Do::smaller},
+                          std::pair{GLFW_KEY_KP_0, Do::usual_size}};
+
+void show_side(App& app, Side side) { app.settings.side = app.settings.side == side ? Side::none : side; }
+
+void zoom(App& app, double factor) {
+  const double next = std::round(app.settings.zoom * factor * 20) / 20;
+  app.settings.zoom = std::clamp(next, 0.5, 3.0);
+}
+
+}  // namespace
+
+std::span<const Action> actions() { return list; }
+
+const Action& action(Do what) {
+  const auto* found = std::find_if(list.begin(), list.end(), [&](const Action& a) { return a.what == what; });
+  assert(found != list.end());
+  return *found;
+}
+
+void perform(App& app, Do what) {
+  switch (what) {
+    case Do::open:
+      app.dialogue = {Dialogue::open, {}, true};
+      break;
+    case Do::save:
+      save_or_ask(app);
+      break;
+    case Do::picture:
+      app.dialogue = {Dialogue::picture, "picture.png", true};
+      break;
+    case Do::undo:
+      app.scene = app.history.undo();
+      break;
+    case Do::redo:
+      app.scene = app.history.redo();
+      break;
+    case Do::fit:
+      app.fit_asked = true;
+      break;
+    case Do::turntable:
+      app.turntable = !app.turntable;
+      break;
+    case Do::swap:
+      std::swap(app.left, app.right);
+      break;
+    case Do::view_two:
+    case Do::view_wipe:
+    case Do::view_flip:
+    case Do::view_difference:
+    case Do::view_false_colour:
+      app.settings.view = ViewMode(int(what) - int(Do::view_two));
+      break;
+    case Do::larger:
+      zoom(app, 1.1);
+      break;
+    case Do::smaller:
+      zoom(app, 1 / 1.1);
+      break;
+    case Do::usual_size:
+      app.settings.zoom = 1;
+      break;
+    case Do::language:
+      app.settings.language = app.language() == Language::english ? Language::japanese : Language::english;
+      break;
+    case Do::theme:
+      app.settings.theme = app.settings.theme == Theme::dark ? Theme::light : Theme::dark;
+      break;
+    case Do::plan:
+      show_side(app, Side::plan);
+      break;
+    case Do::mesh:
+      show_side(app, Side::mesh);
+      break;
+    case Do::help:
+      app.help = !app.help;
+      break;
+  }
+}
+
+void handle_keys(App& app) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput) return;
+  if (app.help && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) app.help = false;
+  if (app.dialogue.kind != Dialogue::none) return;
+  for (const Action& a : list) {
+    if (a.key == 0 || !ImGui::IsKeyPressed(a.key, a.what == Do::undo || a.what == Do::redo)) continue;
+    const bool shift_matters = a.key == GLFW_KEY_Z || !a.ctrl;
+    if (io.KeyCtrl != a.ctrl || io.KeyAlt || io.KeySuper || (shift_matters && io.KeyShift != a.shift)) continue;
+    perform(app, a.what);
+    return;
+  }
+  if (!io.KeyCtrl) return;
+  for (const auto& [key, what] : also)
+    if (ImGui::IsKeyPressed(key, false)) return perform(app, what);
+}
+
+}  // namespace cg

@@ -1,0 +1,54 @@
+// What a person can ask of the window, by button or by key: one list, which the buttons, the keys, the tooltips and
+// the page of help all read.
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "params/words.h"
+
+namespace cg {
+
+struct App;
+
+enum class Do {
+  open,
+  save,
+  picture,
+  undo,
+  redo,
+  fit,
+  swap,
+  view_two,
+  view_wipe,
+  view_flip,
+  view_difference,
+  view_false_colour,
+  larger,
+  smaller,
+  usual_size,
+  language,
+  theme,
+  plan,
+  mesh,
+  turntable,
+  help
+};
+
+struct Action {
+  Do what;
+  Words label;
+  std::string_view keys;  // as the help shows them
+  int key = 0;            // of GLFW; 0: no key
+  bool ctrl = false;
+  bool shift = false;
+};
+
+std::span<const Action> actions();
+const Action& action(Do what);
+
+void perform(App& app, Do what);
+
+// Performs what the keys that went down in this frame ask for, unless a text is being typed.
+void handle_keys(App& app);
+
+}  // namespace cg

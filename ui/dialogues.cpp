@@ -1,0 +1,137 @@
+// The dialogues: open, save, save a picture. One line to type a path, and a list to choose from.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <filesystem>
+
+#include "scene/shape.h"
+#include "ui/app.h"
+#include "ui/layout.h"
+#include "ui/widgets.h"
+#include "workbench/model_library.h"
+
+namespace cg {
+namespace {
+
+void close(App& app) {
+  app.dialogue = {};
+  ImGui::CloseCurrentPopup();
+}
+
+// The path that is typed; true when Enter takes it.
+bool path_field(App& app, const Words& hint) {
+  ImGui::SetNextItemWidth(app.look.px(520));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const std::string shown(noted(app, hint));
+  return ImGui::InputTextWithHint("##path", shown.c_str(), &app.dialogue.text,
+                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+}
+
+// Names as buttons, line by line; the one that was pressed.
+std::string pick_name(App& app, const Words& title, const std::vector<std::pair<std::string, std::string>>& names) {
+  if (names.empty()) return {};
+  heading(app, title.in(app.language()));
+  std::string picked;
+  const float left = ImGui::GetCursorScreenPos().x, room = app.look.px(520);
+  float x = 0;
+  ImGui::PushID(title.en.data());
+  for (const auto& [what, label] : names) {
+    const float w = button_width(app, noted(app, label));
+    if (x > 0 && x + w <= room)
+      ImGui::SameLine(0, app.look.px(6));
+    else
+      x = 0;
+    ImGui::PushID(what.c_str());
+    if (button(app, "name", {.label = label})) picked = what;
+    ImGui::PopID();
+    x += w + app.look.px(6);
+  }
+  ImGui::PopID();
+  (void)left;
+  return picked;
+}
+
+void draw_open(App& app) {
+  const Language l = app.language();
+  std::string picked;
+  if (path_field(app, {"A model file, a preset or a name; or drop a file on the window",
+                       "モデルファイル・プリセット・名前（ウィンドウへのドロップも可）"}) &&
+      !app.dialogue.text.empty())
+    picked = app.dialogue.text;
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const Shape& s : shapes()) names.emplace_back(std::string(s.id), std::string(s.label.in(l)));
+  if (auto p = pick_name(app, {"Shapes", "基本の形"}, names); !p.empty()) picked = p;
+  names.clear();
+  for (const std::string& m : app.bundled) names.emplace_back(m, m);
+  if (auto p = pick_name(app, {"Models", "モデル"}, names); !p.empty()) picked = p;
+  names.clear();
+  for (const std::string& r : app.recent)
+    if (r.find('/') != std::string::npos) names.emplace_back(r, std::filesystem::path(r).filename().string());
+  if (auto p = pick_name(app, {"Recent files", "最近のファイル"}, names); !p.empty()) picked = p;
+  if (picked.empty()) return;
+  open_in_window(app, picked);
+  close(app);
+}
+
+void draw_save(App& app) {
+  const bool entered = path_field(app, {"scene.json", "scene.json"});
+  ImGui::Dummy({1, app.look.px(4)});
+  if ((button(app, "save", {.label = Words{"Save", "保存"}.in(app.language())}) || entered) &&
+      !app.dialogue.text.empty()) {
+    save_as(app, app.dialogue.text);
+    close(app);
+  }
+}
+
+void draw_picture(App& app) {
+  const Language l = app.language();
+  const bool entered = path_field(app, {"picture.png", "picture.png"});
+  constexpr std::array<Name, 2> sides{{{"left", {"Left", "左"}}, {"right", {"Right", "右"}}}};
+  ImGui::Dummy({1, app.look.px(4)});
+  choose(app, "side", sides, app.picture_side);
+  ImGui::SameLine(0, app.look.px(24));
+  const bool there = bool(app.drawings[app.picture_side]);
+  if ((button(app, "save", {.label = Words{"Save", "保存"}.in(l), .enabled = there}) || entered) && there &&
+      !app.dialogue.text.empty()) {
+    save_picture(app, app.dialogue.text);
+    close(app);
+  }
+  heading(app, Words{"PNG and JPEG as shown; EXR and HDR keep the linear numbers",
+                     "PNG と JPEG は表示どおり、EXR と HDR は線形の値のまま"}
+                   .in(l));
+}
+
+}  // namespace
+
+void draw_dialogues(App& app) {
+  Dialogue& d = app.dialogue;
+  if (d.kind != Dialogue::none && d.fresh) ImGui::OpenPopup("dialogue");
+  d.fresh = false;
+  const ImVec2 size = ImGui::GetWindowSize();
+  ImGui::SetNextWindowPos({0.5f * size.x, app.look.px(70)}, 0, {0.5f, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {app.look.px(24), app.look.px(20)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {app.look.px(8), app.look.px(8)});
+  if (ImGui::BeginPopup("dialogue", ImGuiWindowFlags_NoMove)) {
+    switch (d.kind) {
+      case Dialogue::open:
+        draw_open(app);
+        break;
+      case Dialogue::save:
+        draw_save(app);
+        break;
+      case Dialogue::picture:
+        draw_picture(app);
+        break;
+      case Dialogue::none:
+        ImGui::CloseCurrentPopup();
+        break;
+    }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) close(app);
+    ImGui::EndPopup();
+  } else {
+    d = {};
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace cg

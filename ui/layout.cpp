@@ -1,0 +1,118 @@
+#include "ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/app.h"
+#include "ui/pane.h"
+
+namespace cg {
+namespace {
+
+// A child window with the palette's background, its padding kept, that never gets a size below 1.
+template <class Draw>
+void area(App& app, const char* id, ImVec2 at, ImVec2 size, ImU32 colour, ImVec2 padding, bool scrolls, Draw draw) {
+  if (!(size.x >= 1) || !(size.y >= 1)) return;
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, colour);
+  ImGui::SetCursorScreenPos(at);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  const ImGuiWindowFlags flags =
+      scrolls ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  const bool visible = ImGui::BeginChild(id, size, false, flags | ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  if (visible) {
+    draw();
+    if (scrolls && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::GetIO().MouseWheel != 0 &&
+        ImGui::GetScrollMaxY() > 0 && !ImGui::IsAnyItemHovered())
+      app.scrolled_at = app.now;
+  }
+  ImGui::EndChild();
+}
+
+// A strip between two areas that is dragged; `amount` is the size of one of them in units, growing with `sign`.
+void splitter(App& app, const char* id, ImVec2 at, ImVec2 size, bool horizontal, double& amount, double sign,
+              const Range& range) {
+  if (!(size.x >= 1) || !(size.y >= 1)) return;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton(id, size);
+  if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
+  ImGui::SetMouseCursor(horizontal ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y},
+                                            faded(app.look.palette.accent, ImGui::IsItemActive() ? 0.5f : 0.25f));
+  if (!ImGui::IsItemActive()) return;
+  const ImVec2 d = ImGui::GetIO().MouseDelta;
+  const double next = amount + sign * double(horizontal ? d.x : d.y) / double(app.look.scale);
+  if (range.contains(next)) amount = next;
+}
+
+const Range& range_of_setting(double Settings::*member) {
+  static const Range none{0, 1};
+  const Range* found = &none;
+  std::apply(
+      [&](const auto&... f) {
+        auto one = [&](const auto& field) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field.member)>, double Settings::*>)
+            if (field.member == member) found = &field.about.range;
+        };
+        (one(f), ...);
+      },
+      fields_of<Settings>);
+  return *found;
+}
+
+void draw_areas(App& app, ImVec2 size) {
+  Look& look = app.look;
+  const Palette& p = look.palette;
+  Settings& s = app.settings;
+  const float bar = look.px(48), gap = look.px(4), inner = look.px(8);
+  // The pictures keep at least half of the window.
+  const float left = std::min(look.px(float(s.left_width)), size.x * 0.4f);
+  const float right = s.side == Side::none ? 0 : std::min(look.px(float(s.right_width)), size.x * 0.34f);
+  const float strip = std::min(look.px(float(s.strip_height)), size.y * 0.4f);
+  const float middle_h = size.y - bar - strip, middle_w = size.x - left - right;
+
+  area(app, "bar", {0, 0}, {size.x, bar}, p.panel, {look.px(16), look.px(8)}, false, [&] { draw_top_bar(app); });
+  area(app, "parameters", {0, bar + 1}, {left, size.y - bar - 1}, p.panel, {look.px(14), look.px(8)}, true,
+       [&] { draw_parameters(app); });
+  area(app, "view", {left, bar}, {middle_w, middle_h}, p.window, {inner, inner}, false, [&] {
+    draw_view_bar(app);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    draw_panes(app, {std::max(room.x, 0.0f), std::max(room.y, 0.0f)});
+  });
+  area(app, "side", {size.x - right, bar + 1}, {right, middle_h - 1}, p.panel, {look.px(14), look.px(10)}, true,
+       [&] { draw_side_panel(app); });
+  area(app, "strip", {left + 1, bar + middle_h}, {size.x - left - 1, strip}, p.panel, {look.px(16), look.px(10)}, false,
+       [&] { draw_strip(app); });
+
+  splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, size.y - bar}, true, s.left_width, 1,
+           range_of_setting(&Settings::left_width));
+  if (right > 0)
+    splitter(app, "right edge", {size.x - right - gap * 0.5f, bar}, {gap, middle_h}, true, s.right_width, -1,
+             range_of_setting(&Settings::right_width));
+  splitter(app, "strip edge", {left + gap, bar + middle_h - gap * 0.5f}, {size.x - left, gap}, false, s.strip_height,
+           -1, range_of_setting(&Settings::strip_height));
+}
+
+}  // namespace
+
+void draw_window(App& app, ImVec2 size) {
+  if (!(size.x >= 1) || !(size.y >= 1)) return;
+  app.lit = app.lit_next;
+  app.lit_next = Quantity::none;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("shadebench", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  draw_areas(app, size);
+  draw_dialogues(app);
+  draw_help(app);
+  ImGui::End();
+  draw_toasts(app, size);
+  if (app.lit != app.lit_next) app.animating = true;  // one more frame shows it
+}
+
+}  // namespace cg

@@ -1,0 +1,24 @@
+// The one layout of the window: bar above, parameters to the left, pictures in the middle, panels to the right, the
+// formula below. No loose windows.
+#pragma once
+#include <imgui.h>
+
+namespace cg {
+
+struct App;
+
+// Draws all of the window, between ImGui's NewFrame and Render, into `size` pixels (either may be 0).
+void draw_window(App& app, ImVec2 size);
+
+// Its parts, each into the child window that is open.
+void draw_top_bar(App& app);
+void draw_parameters(App& app);
+void draw_view_bar(App& app);
+void draw_side_panel(App& app);
+void draw_strip(App& app);
+// On top of all: what was to be said, the list of shortcuts, the dialogues.
+void draw_toasts(App& app, ImVec2 size);
+void draw_help(App& app);
+void draw_dialogues(App& app);
+
+}  // namespace cg

@@ -1,0 +1,90 @@
+#include "ui/opening.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "ui/app.h"
+#include "workbench/open.h"
+#include "workbench/preset.h"
+
+namespace cg {
+
+void Errands::run(App& app, std::function<Done()> task) {
+  worker_.submit([this, wake = app.wake, task = std::move(task)](Progress&) {
+    Done done;
+    try {
+      done = task();
+    } catch (const InputError& e) {
+      done = [e](App& a) { say(a, e); };
+    } catch (const std::bad_alloc&) {
+      done = [](App& a) { say(a, InputError("", {"not enough memory", "メモリが足りません"})); };
+    } catch (const std::exception& e) {
+      done = [what = std::string(e.what())](App& a) { say(a, InputError("", {what, what})); };
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      done_.push_back(std::move(done));
+    }
+    if (wake) wake();
+  });
+}
+
+void Errands::finish(App& app) {
+  std::vector<Done> done;
+  {
+    const std::lock_guard lock(mutex_);
+    done.swap(done_);
+  }
+  for (const Done& d : done)
+    if (d) d(app);
+}
+
+void remember_recent(App& app, const std::string& what) {
+  std::erase(app.recent, what);
+  app.recent.insert(app.recent.begin(), what);
+  if (app.recent.size() > 8) app.recent.resize(8);
+}
+
+void open_in_window(App& app, std::string what) {
+  app.errands->run(app, [what]() -> Errands::Done {
+    auto notes = std::make_shared<std::vector<Text>>();
+    auto scene = std::make_shared<Scene>(open_scene(what, notes.get()));
+    return [what, notes, scene](App& a) {
+      a.scene = std::move(*scene);
+      a.preset = what.ends_with(".json") ? what : std::string();
+      a.light = a.object = 0;
+      a.isolated = {};
+      remember_recent(a, what);
+      for (const Text& note : *notes) say(a, note);
+    };
+  });
+}
+
+void keep_history(App& app) {
+  const ImGuiID held = ImGui::IsMouseDown(0) ? ImGui::GetActiveID() : 0;
+  if (held == 0 && !app.gesture) app.history.end_gesture();
+  const std::string gesture = held != 0 ? std::to_string(held) : app.gesture ? "pane" : std::string();
+  app.history.change(app.scene, gesture);
+}
+
+void save_or_ask(App& app) {
+  if (app.preset.empty())
+    app.dialogue = {Dialogue::save, "scene.json", true};
+  else
+    save_as(app, app.preset);
+}
+
+void save_as(App& app, std::filesystem::path file) {
+  if (file.extension() != ".json") file += ".json";
+  app.errands->run(app, [file, scene = app.scene]() -> Errands::Done {
+    save_preset(scene, file);
+    return [file](App& a) {
+      a.preset = file.string();
+      remember_recent(a, std::filesystem::absolute(file).string());
+      say(a, Text("Saved " + file.string(), file.string() + " に保存しました"));
+    };
+  });
+}
+
+}  // namespace cg

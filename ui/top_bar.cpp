@@ -1,0 +1,96 @@
+// The bar above: what is open, and what can be done with it.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "ui/actions.h"
+#include "ui/app.h"
+#include "ui/formula.h"
+#include "ui/layout.h"
+#include "ui/widgets.h"
+
+namespace cg {
+namespace {
+
+// The models that stand in the scene, and the preset's file.
+std::string title(const App& app) {
+  std::vector<std::string> models;
+  for (const Object& o : app.scene.objects) {
+    const std::string name = std::filesystem::path(o.model).filename().string();
+    if (std::find(models.begin(), models.end(), name) == models.end()) models.push_back(name);
+  }
+  std::string out = models.empty() ? "" : models[0];
+  if (models.size() > 1) out += " + " + std::to_string(models.size() - 1);
+  if (!app.preset.empty()) out = std::filesystem::path(app.preset).filename().string() + "  ·  " + out;
+  return out;
+}
+
+struct Item {
+  Do what;
+  std::string label;
+  bool chosen = false, enabled = true;
+};
+
+float width_of(App& app, const std::vector<Item>& items) {
+  float w = 0;
+  for (const Item& i : items) w += button_width(app, noted(app, i.label)) + app.look.px(4);
+  return w;
+}
+
+void draw_items(App& app, const std::vector<Item>& items) {
+  for (const Item& item : items) {
+    const Action& a = action(item.what);
+    const std::string keys(a.keys);
+    ImGui::PushID(int(item.what));
+    if (button(app, "do",
+               {.label = item.label,
+                .tip = a.label,
+                .shortcut = keys,
+                .chosen = item.chosen,
+                .enabled = item.enabled,
+                .quiet = true}))
+      perform(app, item.what);
+    ImGui::PopID();
+    ImGui::SameLine(0, app.look.px(4));
+  }
+}
+
+Item plain(const App& app, Do what) { return {what, std::string(action(what).label.in(app.language()))}; }
+
+}  // namespace
+
+void draw_top_bar(App& app) {
+  Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float baseline = at.y + look.px(21.5f);
+  float x = at.x;
+  x += set_text(draw, look.fonts.bold, {x, baseline}, look.palette.text, "Shadebench") + look.px(16);
+
+  const Language l = app.language();
+  const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture)};
+  std::vector<Item> rest{{Do::undo, std::string(action(Do::undo).label.in(l)), false, app.history.can_undo()},
+                         {Do::redo, std::string(action(Do::redo).label.in(l)), false, app.history.can_redo()},
+                         {Do::plan, std::string(action(Do::plan).label.in(l)), app.settings.side == Side::plan},
+                         {Do::mesh, std::string(action(Do::mesh).label.in(l)), app.settings.side == Side::mesh},
+                         {Do::language, l == Language::english ? "日本語" : "English"},
+                         {Do::theme, std::string(app.settings.theme == Theme::dark ? Words{"Light", "明"}.in(l)
+                                                                                   : Words{"Dark", "暗"}.in(l))},
+                         {Do::help, "?"}};
+  const float rest_w = width_of(app, rest), files_w = width_of(app, files);
+  const std::string name = title(app);
+  const float name_room = room - (x - at.x) - rest_w - files_w - look.px(16);
+  if (name_room > look.px(40)) {
+    draw->PushClipRect({x, at.y}, {x + name_room, at.y + look.px(40)}, true);
+    set_text(draw, look.fonts.text, {x, baseline}, look.palette.dim, noted(app, name));
+    draw->PopClipRect();
+    x += std::min(name_room, text_width(look.fonts.text, name)) + look.px(12);
+  }
+  ImGui::SetCursorScreenPos({x, at.y});
+  draw_items(app, files);
+  ImGui::SetCursorScreenPos({std::max(x, at.x + room - rest_w), at.y});
+  draw_items(app, rest);
+}
+
+}  // namespace cg

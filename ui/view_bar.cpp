@@ -1,0 +1,78 @@
+// Above the pictures: which technique draws each, and how the two are looked at.
+#include <algorithm>
+#include <string>
+
+#include "ui/app.h"
+#include "ui/layout.h"
+#include "ui/widgets.h"
+
+namespace cg {
+namespace {
+
+// The techniques as a list; those that cannot work here stand in it with their reason.
+void choose_technique(App& app, const char* id, int& chosen, float width) {
+  if (app.techniques.empty()) return;
+  chosen = std::clamp(chosen, 0, int(app.techniques.size()) - 1);
+  const Language l = app.language();
+  ImGui::SetNextItemWidth(width);
+  const std::string now(noted(app, app.techniques[std::size_t(chosen)].name));
+  if (!ImGui::BeginCombo(id, now.c_str(), ImGuiComboFlags_HeightLarge)) return;
+  for (int i = 0; i < int(app.techniques.size()); ++i) {
+    const Technique& t = app.techniques[std::size_t(i)];
+    const std::optional<Text> why_not = t.unavailable   ? t.unavailable
+                                        : t.unsupported ? t.unsupported(app.scene)
+                                                        : std::nullopt;
+    ImGui::PushID(i);
+    if (ImGui::Selectable(std::string(noted(app, t.name)).c_str(), i == chosen,
+                          t.unavailable ? ImGuiSelectableFlags_Disabled : 0))
+      chosen = i;
+    ImGui::PopID();
+    if (why_not) {
+      ImGui::PushFont(app.look.fonts.small);
+      ImGui::PushStyleColor(ImGuiCol_Text, app.look.palette.dim);
+      ImGui::PushTextWrapPos(width * 1.3f);
+      write(app, why_not->in(l));
+      ImGui::PopTextWrapPos();
+      ImGui::PopStyleColor();
+      ImGui::PopFont();
+    }
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void draw_view_bar(App& app) {
+  Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (!(room > look.px(60))) return;
+  constexpr auto& modes = names_of<ViewMode>;
+  float needed = 0;
+  for (const Name& m : modes) needed += button_width(app, noted(app, m.label)) + look.px(2);
+  const float combo = std::clamp((room - needed - look.px(24)) * 0.5f, look.px(60), look.px(230));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look.px(10), look.px(5)});
+  choose_technique(app, "##left", app.left, combo);
+  ImGui::PopStyleVar();
+  float x = at.x + (room - needed) * 0.5f;
+  for (int i = 0; i < int(modes.size()); ++i) {
+    ImGui::SetCursorScreenPos({x, at.y});
+    ImGui::PushID(i);
+    const std::string shortcut = std::to_string(i + 1);
+    if (button(app, "mode",
+               {.label = modes[std::size_t(i)].label.in(app.language()),
+                .shortcut = shortcut,
+                .chosen = int(app.settings.view) == i,
+                .quiet = true}))
+      app.settings.view = ViewMode(i);
+    ImGui::PopID();
+    x += button_width(app, modes[std::size_t(i)].label.in(app.language())) + look.px(2);
+  }
+  ImGui::SetCursorScreenPos({at.x + room - combo, at.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look.px(10), look.px(5)});
+  choose_technique(app, "##right", app.right, combo);
+  ImGui::PopStyleVar();
+  ImGui::SetCursorScreenPos({at.x, at.y + look.px(38)});
+}
+
+}  // namespace cg

@@ -1,0 +1,230 @@
+#include "ui/window.h"
+
+#include <epoxy/gl.h>
+// After epoxy, which stands in for OpenGL's own headers.
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "params/slots.h"
+#include "ui/actions.h"
+#include "ui/app.h"
+#include "ui/fonts.h"
+#include "ui/frame_times.h"
+#include "ui/layout.h"
+#include "ui/screenshot.h"
+#include "ui/texts.h"
+#include "workbench/open.h"
+
+namespace cg {
+namespace {
+
+std::string last_glfw_error() {
+  const char* text = nullptr;
+  return glfwGetError(&text) != GLFW_NO_ERROR && text ? text : "?";
+}
+
+// GLFW, its window with an OpenGL context, and ImGui on it; undone in reverse order.
+class Surface {
+ public:
+  Surface(App& app, const WindowOptions& options) {
+    if (!glfwInit()) {
+      const std::string why = last_glfw_error();
+      throw InputError("display", {"no window can be opened: " + why, "ウィンドウを開けません: " + why},
+                       {"a display (DISPLAY), or one of the commands render, compare, plan",
+                        "ディスプレイ（DISPLAY）、または render・compare・plan コマンド"});
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+    int width = options.width, height = options.height;
+    if (width <= 0 || height <= 0) fit_monitor(width, height);
+    // GLFW refuses a size of 0, and X ends the program for one beyond its 16 bits.
+    window_ =
+        glfwCreateWindow(std::clamp(width, 1, 16384), std::clamp(height, 1, 16384), "Shadebench", nullptr, nullptr);
+    if (!window_) {
+      const std::string why = last_glfw_error();
+      glfwTerminate();
+      throw InputError("OpenGL", {"no window with OpenGL 3.3: " + why, "OpenGL 3.3 のウィンドウを開けません: " + why},
+                       {"a driver with OpenGL 3.3", "OpenGL 3.3 のあるドライバ"});
+    }
+    glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(window_, &app);
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+      if (count > 0) open_in_window(*static_cast<App*>(glfwGetWindowUserPointer(w)), paths[0]);
+    });
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // the session keeps what there is to keep
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+  }
+  ~Surface() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  GLFWwindow* get() const { return window_; }
+
+  double content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::isfinite(x) ? std::clamp(double(x), 0.5, 4.0) : 1.0;
+  }
+
+ private:
+  static void fit_monitor(int& width, int& height) {
+    width = 1440, height = 900;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+      int x, y, w = 0, h = 0;
+      float scale = 1, unused = 1;
+      glfwGetMonitorContentScale(monitor, &scale, &unused);
+      glfwGetMonitorWorkarea(monitor, &x, &y, &w, &h);
+      if (scale > 0) width = int(float(width) * scale), height = int(float(height) * scale);
+      if (w > 0 && h > 0) width = std::min(width, w), height = std::min(height, h);
+    }
+  }
+
+  GLFWwindow* window_ = nullptr;
+};
+
+// Style and fonts anew where the theme, the size of the type or the texts have changed.
+class Dress {
+ public:
+  explicit Dress(std::shared_ptr<const FontFiles> files) : files_(std::move(files)) {}
+
+  void fit(App& app, double content_scale) {
+    Look& look = app.look;
+    const float scale = float(std::clamp(content_scale * app.settings.zoom, 0.4, 8.0));
+    const bool other_scale = scale != look.scale || !dressed_;
+    if (other_scale || theme_ != app.settings.theme || !dressed_) {
+      look.scale = scale;
+      look.palette = palette_of(app.settings.theme);
+      theme_ = app.settings.theme;
+      apply_style(look);
+    }
+    if (!dressed_ || language_ != app.language()) note_all_texts(look.glyphs, language_ = app.language());
+    if (other_scale || look.glyphs.changed) {
+      build_fonts(look, *files_);
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    dressed_ = true;
+  }
+
+ private:
+  std::shared_ptr<const FontFiles> files_;
+  bool dressed_ = false;
+  Theme theme_ = Theme::dark;
+  Language language_ = Language::english;
+};
+
+// Waits until there is a reason for a frame: an event, a picture that came, a time that was asked for.
+void wait_for_reason(App& app, int& settling) {
+  if (app.animating || settling > 0) {
+    settling = app.animating ? 2 : settling - 1;
+    glfwPollEvents();
+    return;
+  }
+  const double rest = std::clamp(app.next_frame - glfwGetTime(), 0.0, 2.0);
+  glfwWaitEventsTimeout(std::max(rest, 0.001));
+  settling = 1;  // ImGui shows some things a frame after the event
+}
+
+void draw_frame(App& app, GLFWwindow* window) {
+  app.now = glfwGetTime();
+  app.animating = false;
+  app.next_frame = app.now + 2;
+  app.errands->finish(app);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGuiIO& io = ImGui::GetIO();
+  io.DeltaTime = io.DeltaTime > 1e-4f ? std::min(io.DeltaTime, 0.25f) : 1e-4f;  // also after a suspend, also NaN
+  ImGui::NewFrame();
+  handle_keys(app);
+  draw_window(app, io.DisplaySize);
+  keep_history(app);
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  if (width <= 0 || height <= 0) return;
+  glViewport(0, 0, width, height);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+int index_of(const std::vector<Technique>& all, const std::string& id, int otherwise) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].id == id && !all[i].unavailable) return int(i);
+  return std::clamp(otherwise, 0, std::max(0, int(all.size()) - 1));
+}
+
+void start_app(App& app, const std::vector<Technique>& techniques, const WindowOptions& options) {
+  app.techniques = techniques;
+  Slots settings = slots(app.settings);
+  for (const std::string& text : options.set) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError(text, {"no = in it", "= がありません"}, {"path=value", "path=value"});
+    assign_text(find_slot(settings, text.substr(0, equals)), text.substr(equals + 1));
+  }
+  app.left = index_of(techniques, app.settings.left, 0);
+  app.right = index_of(techniques, app.settings.right, int(techniques.size()) - 1);
+  app.wake = [] { glfwPostEmptyEvent(); };
+}
+
+}  // namespace
+
+int run_window(const std::vector<Technique>& techniques, const WindowOptions& options) {
+  StartTimes start(options.times);
+  App app;
+  start_app(app, techniques, options);
+  app.bundled = bundled_models();
+  app.scene = open_scene(options.scene.empty() ? std::string("teapot") : options.scene);
+  app.history.restart(app.scene);
+  start.mark("scene");
+  const auto files = find_fonts();
+  start.mark("fonts found");
+  Surface surface(app, options);
+  start.mark("window");
+  Dress dress(files);
+  FrameTimes times;
+  Screenshot shot(options.screenshot);
+  int settling = 2;
+  bool first = true;
+  while (!glfwWindowShouldClose(surface.get())) {
+    if (!first) wait_for_reason(app, settling);
+    times.begin();
+    dress.fit(app, options.scale > 0 ? options.scale : surface.content_scale());
+    if (first) start.mark("fonts built");
+    draw_frame(app, surface.get());
+    times.end();
+    if (shot.wanted(app)) {
+      shot.take(surface.get());
+      break;
+    }
+    glfwSwapBuffers(surface.get());
+    if (first) start.mark("first frame");
+    first = false;
+  }
+  if (options.times) times.print();
+  return 0;
+}
+
+}  // namespace cg
