@@ -61,17 +61,18 @@ EyeLighting<Real> lighting_in_eye_space(const Scene& scene, const glm::dmat4& vi
 template <class Real>
 EyeMaterial<Real> eye_material(const Material& material, ColorMaterial tracked);
 
-// max(a.b, 0)^n for unit a, b. From the sine where the angle is small and n is large: there 1 ulp of the
-// cosine would grow to n ulp of the power. 0^0 = 1.
+// max(a.b, 0)^n. From the sine where a and b are unit, the angle is small and n is large: there 1 ulp of the cosine
+// would grow to n ulp of the power. 0^0 = 1. Normals that are not unit may give more than 1, as in OpenGL, but
+// nothing infinite.
 template <class Real>
 Real lobe_power(const Vec3<Real>& a, const Vec3<Real>& b, Real cosine, Real n) {
   if (n == Real(0)) return Real(1);
   if (!(cosine > Real(0))) return Real(0);
-  if (n > Real(128) && cosine > Real(0.5)) {
+  if (n > Real(128) && cosine > Real(0.5) && std::abs(glm::dot(a, a) * glm::dot(b, b) - Real(1)) < Real(1e-4)) {
     const Vec3<Real> s = glm::cross(a, b);
     return std::exp(Real(0.5) * n * std::log1p(-std::min(glm::dot(s, s), Real(1))));
   }
-  return std::pow(std::min(cosine, Real(1)), n);
+  return std::min(std::pow(cosine, n), Real(1e30));
 }
 
 // `P` the point, `N` its normal (unit where the scene normalises), `V` the unit vector towards the viewer; all
