@@ -7,7 +7,7 @@
 namespace cg {
 
 enum class GlProfile {
-  legacy,  // the fixed function: a compatibility context of at least 2.1 with float framebuffers
+  legacy,  // the fixed function: a compatibility context of at least 3.0
   core     // 3.3 core
 };
 

@@ -1,0 +1,170 @@
+#include "gl/frame_target.h"
+
+#include <cmath>
+#include <string>
+
+#include "gl/check.h"
+#include "math/vec.h"
+#include "params/input_error.h"
+
+namespace cg {
+
+namespace {
+
+// The largest width and height that can be drawn at once.
+glm::ivec2 largest_picture() {
+  GLint viewport[2] = {0, 0}, renderbuffer = 0;
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+  return {std::min(viewport[0], renderbuffer), std::min(viewport[1], renderbuffer)};
+}
+
+void refuse_beyond_limits(int width, int height) {
+  const glm::ivec2 most = largest_picture();
+  if (width <= most.x && height <= most.y) return;
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  const std::string limit = std::to_string(most.x) + "x" + std::to_string(most.y);
+  throw InputError(
+      "size",
+      {"a picture of " + size + " is larger than this OpenGL can draw",
+       size + " の画像はこの OpenGL で描ける大きさを超えています"},
+      {"at most " + limit + ", or the technique software", limit + " 以下にするか、ソフトウェア描画を使ってください"});
+}
+
+}  // namespace
+
+Frame empty_frame(const View& view) {
+  const int w = std::max(view.width, 0), h = std::max(view.height, 0);
+  Frame frame;
+  frame.colour = ColourImage(w, h);
+  frame.depth = Image<float>(w, h, 1.0f);
+  frame.covered = Image<std::uint8_t>(w, h);
+  if (view.ids) frame.object = frame.triangle = Image<std::int32_t>(w, h, nothing);
+  if (view.normals) frame.normal = Image<glm::vec3>(w, h);
+  return frame;
+}
+
+void FrameTarget::bind(int width, int height, Layers layers) {
+  if (framebuffer_ && width == width_ && height == height_ && layers == layers_) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glViewport(0, 0, width, height);
+    return;
+  }
+  refuse_beyond_limits(width, height);
+  release();
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  auto attach = [&](GLenum format, GLenum attachment) {
+    GLuint buffer = 0;
+    glGenRenderbuffers(1, &buffer);
+    renderbuffers_.push_back(buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  };
+  std::vector<GLenum> outputs{GL_COLOR_ATTACHMENT0};
+  attach(GL_RGBA32F, GL_COLOR_ATTACHMENT0);
+  if (layers.ids) {
+    outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
+    attach(GL_RG32I, outputs.back());
+  }
+  if (layers.normals) {
+    outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
+    attach(GL_RGBA32F, outputs.back());
+  }
+  attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+  glDrawBuffers(GLsizei(outputs.size()), outputs.data());
+  width_ = width, height_ = height, layers_ = layers;
+  try {
+    check_gl("framebuffer");
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      throw InputError("OpenGL", Words{"the driver cannot draw into floating-point pictures of this size",
+                                       "ドライバーがこの大きさの浮動小数点画像に描けません"});
+  } catch (...) {
+    release();
+    throw;
+  }
+  glViewport(0, 0, width, height);
+}
+
+void FrameTarget::clear(const glm::vec3& background) const {
+  const GLfloat colour[4] = {background.r, background.g, background.b, 1};
+  const GLfloat no_normal[4] = {0, 0, 0, 0}, far_depth = 1;
+  const GLint no_id[4] = {0, 0, 0, 0};
+  GLint output = 0;
+  glClearBufferfv(GL_COLOR, output++, colour);
+  if (layers_.ids) glClearBufferiv(GL_COLOR, output++, no_id);
+  if (layers_.normals) glClearBufferfv(GL_COLOR, output++, no_normal);
+  glClearBufferfv(GL_DEPTH, 0, &far_depth);
+}
+
+void FrameTarget::release() {
+  if (framebuffer_) glDeleteFramebuffers(1, &framebuffer_);
+  if (!renderbuffers_.empty()) glDeleteRenderbuffers(GLsizei(renderbuffers_.size()), renderbuffers_.data());
+  framebuffer_ = 0;
+  renderbuffers_.clear();
+  width_ = height_ = 0;
+}
+
+std::vector<glm::vec4> FrameTarget::read_floats(int attachment) const {
+  std::vector<glm::vec4> pixels(std::size_t(width_) * std::size_t(height_));
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(attachment));
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+  return pixels;
+}
+
+void FrameTarget::read_colour(Frame& frame) const {
+  const std::vector<glm::vec4> pixels = read_floats(0);
+  for (int y = 0; y < height_; ++y) {
+    const glm::vec4* from = pixels.data() + std::size_t(height_ - 1 - y) * std::size_t(width_);
+    glm::vec3* to = frame.colour.row(y);
+    for (int x = 0; x < width_; ++x) {
+      const glm::vec3 c(from[x]);
+      if (is_finite(c))
+        to[x] = c;
+      else
+        ++frame.nan_pixels;  // the image is 0 there already
+    }
+  }
+}
+
+void FrameTarget::read_depth(Frame& frame) const {
+  std::vector<float> depth(frame.depth.size());
+  glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  // Depth is cleared to 1 and the test is GL_LESS: what was drawn is nearer than 1, and nothing else is.
+  for (int y = 0; y < height_; ++y) {
+    const float* from = depth.data() + std::size_t(height_ - 1 - y) * std::size_t(width_);
+    for (int x = 0; x < width_; ++x)
+      if (from[x] < 1) frame.depth.at(x, y) = from[x], frame.covered.at(x, y) = 1;
+  }
+}
+
+void FrameTarget::read_normals(Frame& frame, int attachment) const {
+  const std::vector<glm::vec4> pixels = read_floats(attachment);
+  for (int y = 0; y < height_; ++y) {
+    const glm::vec4* from = pixels.data() + std::size_t(height_ - 1 - y) * std::size_t(width_);
+    for (int x = 0; x < width_; ++x) frame.normal.at(x, y) = unit(glm::vec3(from[x]));
+  }
+}
+
+std::vector<glm::ivec2> FrameTarget::read_ids(int attachment) const {
+  std::vector<glm::ivec2> ids(std::size_t(width_) * std::size_t(height_));
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(attachment));
+  glReadPixels(0, 0, width_, height_, GL_RG_INTEGER, GL_INT, ids.data());
+  return ids;
+}
+
+void set_ids(Frame& frame, const std::vector<glm::ivec2>& ids, const std::vector<IdSource>& drawn) {
+  const int width = frame.object.width(), height = frame.object.height();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const glm::ivec2 id = ids[std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)];
+      if (id.x <= 0 || std::size_t(id.x) > drawn.size()) continue;
+      const IdSource& object = drawn[std::size_t(id.x) - 1];
+      if (std::size_t(id.y) >= object.surface->triangle.size()) continue;
+      frame.object.at(x, y) = object.index;
+      frame.triangle.at(x, y) = std::int32_t(object.surface->triangle[std::size_t(id.y)]);
+    }
+}
+
+}  // namespace cg

@@ -1,0 +1,58 @@
+// The picture that OpenGL draws into, and its way into a Frame: colour in RGBA32F, depth in 32F, on demand ids
+// and normals. OpenGL's row 0 is the bottom; a Frame's is the top.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <vector>
+
+#include "scene/frame.h"
+#include "shading/surface.h"
+
+namespace cg {
+
+// The layers that `view` asks for, with nothing in them.
+Frame empty_frame(const View& view);
+
+// Belongs to one context: every call on its thread.
+class FrameTarget {
+ public:
+  struct Layers {
+    bool ids = false;      // colour attachment 1: RG32I, object and primitive
+    bool normals = false;  // colour attachment 2 (1 without ids): RGBA32F
+    friend bool operator==(const Layers&, const Layers&) = default;
+  };
+
+  // Binds a target of this size, made anew where it differs from the last. Throws InputError where the size is
+  // beyond OpenGL's limits. `attachment` numbers: layers are bound to fragment outputs 0, 1, 2 in that order.
+  void bind(int width, int height, Layers layers);
+  void clear(const glm::vec3& background) const;
+  void release();
+
+  // From what is bound into layers of this size. Colours that are NaN or infinite become 0 and are counted.
+  void read_colour(Frame& frame) const;
+  void read_depth(Frame& frame) const;  // and Frame::covered
+  void read_normals(Frame& frame, int attachment) const;
+  std::vector<glm::ivec2> read_ids(int attachment) const;  // rows from the bottom
+  std::vector<glm::vec4> read_floats(int attachment) const;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  int width_ = 0, height_ = 0;
+  Layers layers_;
+  GLuint framebuffer_ = 0;
+  std::vector<GLuint> renderbuffers_;
+};
+
+// One object's part in a picture's ids, for the primitive number of a draw call to become the mesh's triangle.
+struct IdSource {
+  int index;  // into Scene::objects
+  SurfaceHandle surface;
+};
+
+// Fills Frame::object and Frame::triangle. `ids`: per pixel, rows from the bottom, the draw's number + 1 (0 where
+// nothing is) and the primitive.
+void set_ids(Frame& frame, const std::vector<glm::ivec2>& ids, const std::vector<IdSource>& drawn);
+
+}  // namespace cg

@@ -1,0 +1,71 @@
+// Surface positions to clip space; light at the vertices (flat, Gouraud), or what a pixel needs for it (Phong).
+uniform mat4 surface_to_clip;
+invariant gl_Position;  // the order of the sum below is the one of shading/clip_position.h
+
+in vec3 position;
+#ifdef EYE_POSITION
+uniform mat4 surface_to_eye;
+#endif
+#ifdef VERTEX_NORMAL
+in vec3 normal;
+#endif
+#ifdef NORMAL
+uniform mat3 normal_to_eye;
+
+vec3 eye_normal(vec3 n) {
+#ifdef NORMALIZE
+  return unit(normal_to_eye * n);
+#else
+  return normal_to_eye * n;
+#endif
+}
+#endif
+
+#ifdef PHONG
+#ifdef EYE_POSITION
+out vec3 P;
+#endif
+#ifdef NORMAL
+out vec3 N;
+#endif
+#else
+#ifdef FLAT
+flat out vec3 front;
+#ifdef TWO_SIDED
+flat out vec3 back;
+#endif
+#else
+out vec3 front;
+#ifdef TWO_SIDED
+out vec3 back;
+#endif
+#endif
+#endif
+
+#ifdef NORMALS
+uniform mat3 normal_to_world;
+out vec3 world_normal;
+#endif
+
+void main() {
+  mat4 m = surface_to_clip;
+  gl_Position = m[0] * position.x + m[1] * position.y + m[2] * position.z + m[3];
+#ifndef PHONG
+  vec3 P = vec3(0.0), N = vec3(0.0);
+#endif
+#ifdef EYE_POSITION
+  P = (surface_to_eye * vec4(position, 1.0)).xyz;
+#endif
+#ifdef NORMAL
+  N = eye_normal(normal);
+#endif
+#ifndef PHONG
+  front = light_point(material, P, N);
+#ifdef TWO_SIDED
+  back = light_point(material, P, -N);
+#endif
+#endif
+#ifdef NORMALS
+  world_normal = normal_to_world * normal;
+#endif
+}

@@ -1,0 +1,34 @@
+// The shaders of one scene, specialised: what its plan leaves out is not in their text.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gl/draw_list.h"
+
+namespace cg {
+
+// The names that #ifdef and #ifndef in src/gl/glsl and src/shading/glsl ask for.
+struct ShaderFeatures {
+  std::vector<std::string_view> on;  // static strings
+  int lights = 0;
+
+  bool has(std::string_view name) const;
+  friend bool operator<(const ShaderFeatures& a, const ShaderFeatures& b) {
+    return a.lights != b.lights ? a.lights < b.lights : a.on < b.on;
+  }
+};
+
+// What the shaders need for one object of a scene: nothing that `plan` leaves out.
+ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<double>& lighting,
+                               const EyeMaterial<double>& material);
+
+// Resolves the #ifdef, #ifndef, #else and #endif lines of `source`; what is not on is gone.
+std::string specialise(std::string_view source, const ShaderFeatures& features);
+
+struct ShaderSource {
+  std::string vertex, fragment;
+};
+ShaderSource surface_shaders(const ShaderFeatures& features);
+
+}  // namespace cg

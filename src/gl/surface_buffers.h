@@ -1,0 +1,45 @@
+// The vertex and index buffers of surfaces, kept in OpenGL's memory as long as they are used.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <map>
+
+#include "shading/surface.h"
+
+namespace cg {
+
+// Positions, then normals, in one buffer: three floats each, tightly packed.
+struct GpuSurface {
+  SurfaceHandle surface;
+  GLuint vertices = 0, indices = 0;
+  GLuint array = 0;  // vertex array object: attribute 0 position, 1 normal; 0 in a legacy context
+  long last_used = 0;
+
+  const void* normal_offset() const {
+    return reinterpret_cast<const void*>(surface->positions.size() * sizeof(glm::vec3));
+  }
+  void draw() const;  // the buffers or the array must be bound
+};
+
+// Belongs to one context: every call on its thread.
+class SurfaceBuffers {
+ public:
+  explicit SurfaceBuffers(bool arrays) : arrays_(arrays) {}
+  // Uploads at the first call. Throws InputError where OpenGL's memory does not suffice.
+  const GpuSurface& get(const SurfaceHandle& surface);
+  // To be called once a frame: frees what the last 8 frames did not use.
+  void end_frame();
+  void clear();
+  std::size_t size() const { return buffers_.size(); }
+
+ private:
+  static void release(GpuSurface& s);
+  bool arrays_;
+  long frame_ = 0;
+  std::map<const Surface*, GpuSurface> buffers_;  // each keeps its surface, so that no address is used twice
+};
+
+// position attribute = 0, normal = 1, in every program of ours
+inline constexpr GLuint position_attribute = 0, normal_attribute = 1;
+
+}  // namespace cg

@@ -1,0 +1,134 @@
+// The twin of shading/light_model.h, for the lights that a scene has; needs vec.glsl.
+//
+//   I = E + I_a k_a + sum_i att_i spot_i [ I_ai k_a + I_di k_d (N.L_i) + f_i I_si k_s (R_i.V)^n  or  (N.H_i)^n ]
+struct EyeMaterial {
+  vec3 k_a, k_d, k_s, emission;
+  float n;
+};
+
+uniform vec3 ambient;  // I_a, global
+uniform EyeMaterial material;
+
+#ifdef LIT
+struct EyeLight {
+  vec3 ambient, diffuse, specular;  // I_ai, I_di, I_si
+  vec3 position;                    // of a directional light: the unit direction towards it
+#ifdef SPOT
+  vec3 spot_direction;
+  float spot_cosine;  // of the cut-off; -2: no cone
+  float spot_exponent;
+#endif
+#ifdef ATTENUATION
+  float k_0, k_1, k_2;
+#endif
+#ifdef MIXED
+  bool directional;
+#endif
+};
+uniform EyeLight lights[LIGHTS];
+
+struct LightFactors {
+  vec3 L;
+  float n_dot_l, lobe_cosine, lobe, attenuation, spot;
+};
+
+#ifdef SPECULAR
+// log(1 - x), 0 <= x < 1, without losing the digits of a small x.
+float log1m(float x) {
+  if (x > 0.25) return log(1.0 - x);
+  float z = x / (2.0 - x), w = z * z;
+  return -2.0 * z * (1.0 + w * (1.0 / 3.0 + w * (1.0 / 5.0 + w * (1.0 / 7.0 + w * (1.0 / 9.0)))));
+}
+
+// max(a.b, 0)^n; from the sine where a and b are unit, the angle is small and n is large. 0^0 = 1.
+float lobe_power(vec3 a, vec3 b, float cosine, float n) {
+  if (n == 0.0) return 1.0;
+  if (!(cosine > 0.0)) return 0.0;
+  if (n > 128.0 && cosine > 0.5 && abs(dot(a, a) * dot(b, b) - 1.0) < 1e-4) {
+    vec3 s = cross(a, b);
+    return exp(0.5 * n * log1m(min(dot(s, s), 1.0)));
+  }
+  return min(pow(cosine, n), 1e30);
+}
+#endif
+
+LightFactors light_factors(EyeLight light, float n, vec3 P, vec3 N, vec3 V) {
+  LightFactors f = LightFactors(light.position, 0.0, 0.0, 0.0, 1.0, 1.0);
+#ifdef POINT
+#ifdef MIXED
+  if (!light.directional) {
+#endif
+    float r = length_and_unit(light.position - P, f.L);
+#ifdef ATTENUATION
+    float d = light.k_0 + r * (light.k_1 + r * light.k_2);
+    f.attenuation = d > 0.0 ? 1.0 / d : 1.0;
+#endif
+#ifdef MIXED
+  }
+#endif
+#endif
+#ifdef SPOT
+  if (light.spot_cosine > -2.0) {
+    float c = -dot(f.L, light.spot_direction);
+    f.spot = c >= light.spot_cosine && c > 0.0
+                 ? (light.spot_exponent == 0.0 ? 1.0 : pow(min(c, 1.0), light.spot_exponent))
+                 : 0.0;
+  }
+#endif
+#ifdef NORMAL
+  float cosine = dot(N, f.L);
+  if (!(cosine > 0.0)) return f;
+  f.n_dot_l = cosine;
+#endif
+#ifdef SPECULAR
+#ifdef HALF_VECTOR
+  vec3 H = unit(f.L + V);
+  f.lobe_cosine = max(dot(N, H), 0.0);
+  f.lobe = lobe_power(N, H, f.lobe_cosine, n);
+#endif
+#ifdef REFLECTION_VECTOR
+  vec3 R = 2.0 * cosine * N - f.L;
+  f.lobe_cosine = max(dot(R, V), 0.0);
+  f.lobe = lobe_power(R, V, f.lobe_cosine, n);
+#endif
+#endif
+  return f;
+}
+#endif
+
+#ifdef SPECULAR
+// The unit vector towards the viewer.
+vec3 towards_viewer(vec3 P) {
+#ifdef LOCAL_VIEWER
+  return unit(-P);
+#else
+  return vec3(0.0, 0.0, 1.0);
+#endif
+}
+#endif
+
+vec3 light_point(EyeMaterial m, vec3 P, vec3 N) {
+  vec3 I = m.emission + ambient * m.k_a;
+#ifdef LIT
+  vec3 V = vec3(0.0, 0.0, 1.0);
+#ifdef SPECULAR
+  V = towards_viewer(P);
+#endif
+  for (int i = 0; i < LIGHTS; ++i) {
+    LightFactors f = light_factors(lights[i], m.n, P, N, V);
+    I += f.attenuation * f.spot * (lights[i].ambient * m.k_a
+#ifdef NORMAL
+         + lights[i].diffuse * m.k_d * f.n_dot_l
+#endif
+#ifdef SPECULAR
+         + lights[i].specular * m.k_s * f.lobe
+#endif
+    );
+  }
+#endif
+#ifdef CLAMP
+  return saturate(I);
+#else
+  return I;
+#endif
+}
