@@ -71,8 +71,9 @@ struct Reason {
   Failure failure;
   Words found, accepted;
 };
+constexpr Words damaged{"the file is damaged or cut short", "ファイルが壊れているか途中で切れています"};
 constexpr Reason reasons[] = {
-    {Failure::header, {"its header is not valid", "ヘッダーが正しくありません"}, {}},
+    {Failure::header, {"its header is not valid", "ヘッダーが正しくありません"}, damaged},
     {Failure::too_large,
      {"the picture is too large", "画像が大きすぎます"},
      {"at most 256 megapixels, 1048576 pixels a side, 16 channels and 512 MB are read",
@@ -80,7 +81,7 @@ constexpr Reason reasons[] = {
     {Failure::variant,
      {"this variant of the format is not read", "この形式の変種は読めません"},
      {"save it as RGB in scanlines", "走査線形式の RGB で保存してください"}},
-    {Failure::pixels, {"its pixels cannot be decoded", "画素を復号できません"}, {}},
+    {Failure::pixels, {"its pixels cannot be decoded", "画素を復号できません"}, damaged},
     {Failure::memory, {"it needs more memory than an image may", "画像に許されるメモリでは足りません"}, {}},
     {Failure::encoding, {"not saved: the picture could not be encoded", "保存できません：画像を符号化できません"}, {}},
 };

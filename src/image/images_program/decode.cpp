@@ -60,8 +60,10 @@ std::uint64_t decode(ImageFormat format, std::string_view bytes, bool with_pixel
   std::uint64_t bad = 0;
   for (int y = 0; y < spec.height; y += at_once) {
     const int n = std::min(at_once, spec.height - y);
+    // The TIFF reader returns true for strips that it could not decode, but has an error to tell.
     if (!input->read_scanlines(0, 0, spec.y + y, spec.y + y + n, 0, 0, channels.read, OIIO::TypeDesc::FLOAT,
-                               read.data()))
+                               read.data()) ||
+        input->has_error())
       throw Refused(Failure::pixels, input->geterror());
     bad += arrange(read, channels, width * std::size_t(n), arranged.data());
     sink.rows(y, arranged.data(), row_bytes * std::size_t(n));

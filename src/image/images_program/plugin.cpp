@@ -5,6 +5,7 @@ namespace cg::images_program {
 void configure() {
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);  // none
+  OIIO::attribute("tiff:multithread", 0);  // whose own decompression ignores errors
   OIIO::attribute("limits:imagesize_MB", max_megabytes);
   OIIO::attribute("limits:channels", max_channels);
 }
@@ -55,7 +56,11 @@ std::unique_ptr<OIIO::ImageInput> open_image(ImageFormat format, OIIO::Filesyste
   void* proxy = &reader;
   wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   wishes.attribute("oiio:UnassociatedAlpha", 1);  // colour as it is stored, not multiplied by alpha
-  if (!input->open(plugin.file, spec, wishes)) throw Refused(Failure::header, input->geterror());
+  if (!input->open(plugin.file, spec, wishes)) {
+    const std::string why = input->geterror();
+    if (why.find("limits:") != std::string::npos) throw Refused(Failure::too_large, "");
+    throw Refused(Failure::header, why);
+  }
   check(input->spec());
   return input;
 }
