@@ -21,15 +21,12 @@ struct MtlEntry {
 template <class Value>
 const About& about(Value Material::*member) {
   const About* found = nullptr;
-  std::apply(
-      [&](const auto&... f) {
-        const auto look = [&](const auto& one) {
-          if constexpr (std::same_as<decltype(one.member), decltype(member)>)
-            if (one.member == member) found = &one.about;
-        };
-        (look(f), ...);
-      },
-      fields_of<Material>);
+  // The type is spelled out: GCC 12 gets decltype(member) wrong inside a lambda inside a lambda.
+  const auto look = [&](const auto& one) {
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(one)>, Field<Material, Value>>)
+      if (one.member == member) found = &one.about;
+  };
+  std::apply([&](const auto&... f) { (look(f), ...); }, fields_of<Material>);
   return *found;
 }
 
