@@ -1,0 +1,16 @@
+// The files of models/: what the program ships, made by itself.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace cg {
+
+struct BundledFile {
+  std::string name;  // "torus.obj"
+  std::string text;
+};
+
+// Every shape at its own level, the Cornell box with its materials, and SOURCES.md with the origin of each.
+std::vector<BundledFile> bundled_models();
+
+}  // namespace cg
