@@ -71,14 +71,23 @@ bool fan_fits(std::span<const glm::dvec3> polygon, const glm::dvec3& normal) {
   return true;
 }
 
+// The normal of a polygon that at_unit_size gave.
+glm::dvec3 normal_at_unit_size(std::span<const glm::dvec3> polygon) {
+  const auto [area, normal] = length_and_unit(vector_area(polygon));
+  return area > 0x1p-48 ? normal : glm::dvec3(0);
+}
+
 }  // namespace
+
+glm::dvec3 polygon_normal(std::span<const glm::dvec3> polygon) {
+  return polygon.size() < 3 ? glm::dvec3(0) : normal_at_unit_size(at_unit_size(polygon));
+}
 
 bool triangulate(std::span<const glm::dvec3> polygon, std::vector<std::array<Index, 3>>& triangles) {
   if (polygon.size() < 3) return false;
   const std::vector<glm::dvec3> points = at_unit_size(polygon);
-  const glm::dvec3 area = vector_area(points);
-  const auto [size, normal] = length_and_unit(area);
-  if (!(size > 0x1p-48)) return false;
+  const glm::dvec3 normal = normal_at_unit_size(points);
+  if (normal == glm::dvec3(0)) return false;
   const Index n = Index(polygon.size()), last = n - 1;
   if (n == 3 || fan_fits(points, normal)) {
     for (Index i = 0; i + 1 < last; ++i) triangles.push_back({i, i + 1, last});

@@ -7,13 +7,14 @@
 namespace cg {
 
 Corner ShapeBuilder::corner(const ShapeCorner& c) {
-  const auto index = [](Numbering& number, const glm::dvec3& key, const auto& value, auto& list) {
-    const std::uint32_t i = number(BitsAndIndex(key));
+  const auto index = [](Numbering& number, const BitsAndIndex& key, const auto& value, auto& list) {
+    const std::uint32_t i = number(key);
     if (i == list.size()) list.push_back(value);
     return i;
   };
-  return {index(positions_, c.position, c.position, data_.positions),
-          index(normals_, c.normal, c.normal, data_.normals), index(uvs_, {c.uv, 0}, c.uv, data_.uvs)};
+  return {index(positions_, BitsAndIndex(c.position, part_), c.position, data_.positions),
+          index(normals_, BitsAndIndex(c.normal), c.normal, data_.normals),
+          index(uvs_, BitsAndIndex({c.uv, 0}), c.uv, data_.uvs)};
 }
 
 void ShapeBuilder::face(std::span<const Corner> corners) {

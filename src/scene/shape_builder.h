@@ -24,6 +24,9 @@ class ShapeBuilder {
   template <class At>
   void grid(int rows, int columns, const At& at);
 
+  // Corners from now on share no position with those before: another part that merely touches.
+  void begin_part() { part_ = std::uint32_t(data_.positions.size()); }
+
   // Moves the centre of the box to the origin and scales so that the farthest corner is at distance 1.
   void fit();
 
@@ -31,6 +34,7 @@ class ShapeBuilder {
 
  private:
   MeshData data_;
+  std::uint32_t part_ = 0;
   Numbering positions_{64}, normals_{64}, uvs_{64};
 };
 

@@ -112,6 +112,7 @@ ShapeCorner on_patch(const std::vector<Loop>& control, int row, int column, doub
 
 template <class Row, std::size_t size>
 void add_part(ShapeBuilder& builder, const std::array<Row, size>& profile, int segments) {
+  builder.begin_part();  // the handle's lower end touches the body in one point
   std::vector<Loop> control;
   for (const Row& row : profile) control.push_back(loop_of(row));
   const int patch_rows = int(size - 1) / 3, patch_columns = int(control[0].size()) / 3;
