@@ -111,7 +111,7 @@ inline glm::dvec3 reference_colour(const Scene& scene, const Frame& frame, int x
 }
 
 struct Errors {
-  double largest = 0;
+  double largest = 0;  // relative where the colour is over 1
   int pixels = 0;
 };
 
@@ -122,8 +122,11 @@ inline Errors against_reference(const Scene& scene, const Frame& frame, int step
   for (int y = 0; y < frame.colour.height(); ++y)
     for (int x = 0; x < frame.colour.width(); ++x) {
       if (!frame.covered.at(x, y) || n++ % step != 0) continue;
-      const glm::dvec3 d = glm::abs(glm::dvec3(frame.colour.at(x, y)) - reference_colour(scene, frame, x, y));
-      e.largest = std::max({e.largest, d.x, d.y, d.z});
+      const glm::dvec3 right = reference_colour(scene, frame, x, y);
+      for (int k = 0; k < 3; ++k) {
+        const double off = std::abs(double(frame.colour.at(x, y)[k]) - right[k]) / std::max(1.0, std::abs(right[k]));
+        e.largest = std::max(e.largest, off);
+      }
       ++e.pixels;
     }
   return e;
