@@ -54,6 +54,8 @@ struct Dialogue {
   bool fresh = false;  // it opens in this frame
 };
 
+class Panes;
+
 struct App {
   Scene scene;  // meshes loaded; the panes draw a copy of it with `isolated` applied
   History<Scene> history{Scene{}};
@@ -72,6 +74,8 @@ struct App {
   bool fit_asked = false;     // the panes fit the camera at the next frame, then clear it
   bool turntable = false;
 
+  // The pictures' own affairs. Made in the first frame; let go while the window's OpenGL context is still there.
+  std::shared_ptr<Panes> panes;
   // Filled by the panes.
   Figures figures;
   DrawingHandle drawings[2];  // the newest of the left and the right technique; null before the first

@@ -153,7 +153,7 @@ void draw_objects(App& app, const Slots& all) {
 
 void draw_overlay_settings(App& app) {
   const Slots all = slots(app.settings);
-  parameters(app, all, "", {"handles", "vertex_normals", "face_normals", "wireframe", "clamped"});
+  parameters(app, all, "", {"handles", "vertex_normals", "face_normals", "wireframe", "axes", "clamped", "square"});
   if (app.settings.vertex_normals || app.settings.face_normals) parameters(app, all, "", {"normal_length"});
   toggle(app, "turntable", Words{"Turntable", "回転台"}.in(app.language()), app.turntable);
 }

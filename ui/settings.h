@@ -38,6 +38,8 @@ struct Settings {
   double gain = 32;     // of the difference
   bool handles = true;  // overlays: lights that can be dragged,
   bool vertex_normals = false, face_normals = false, wireframe = false;
+  bool axes = false;     // of the world
+  bool square = true;    // pictures are square; else they fill their panes
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
@@ -76,6 +78,12 @@ inline constexpr auto fields_of<Settings> = std::tuple{
     field(&Settings::wireframe, {.name = "wireframe",
                                  .label = {"Wireframe", "ワイヤーフレーム"},
                                  .help = {"Draws the edges of the faces.", "面の辺を描く。"}}),
+    field(&Settings::axes, {.name = "axes",
+                            .label = {"Axes", "座標軸"},
+                            .help = {"Draws x, y and z of the world.", "ワールドの x・y・z 軸を描く。"}}),
+    field(&Settings::square, {.name = "square",
+                              .label = {"Square pictures", "正方形の画像"},
+                              .help = {"Off: the pictures fill their panes.", "オフでは画像を枠いっぱいに描く。"}}),
     field(&Settings::clamped, {.name = "clamped",
                                .label = {"Clamped pixels", "クランプ画素"},
                                .help = {"Marks the pixels whose colour would leave 0..1 without clamping.",

@@ -223,6 +223,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     if (first) start.mark("first frame");
     first = false;
   }
+  app.panes = nullptr;  // while there is still an OpenGL context
   if (options.times) times.print();
   return 0;
 }
