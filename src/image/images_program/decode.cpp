@@ -40,6 +40,13 @@ std::uint64_t arrange(const std::vector<float>& from, const Channels& c, std::si
   return bad;
 }
 
+// n rows from the picture's row y on, `channels` a pixel.
+void read_rows(OIIO::ImageInput& input, int y, int n, int channels, float* rows) {
+  const int first = input.spec().y + y;
+  if (!input.read_scanlines(0, 0, first, first + n, 0, 0, channels, OIIO::TypeDesc::FLOAT, rows) || input.has_error())
+    throw Refused(Failure::pixels, input.geterror());
+}
+
 }  // namespace
 
 std::uint64_t decode(ImageFormat format, std::string_view bytes, bool with_pixels, const DecodeSink& sink) {
@@ -60,11 +67,10 @@ std::uint64_t decode(ImageFormat format, std::string_view bytes, bool with_pixel
   std::uint64_t bad = 0;
   for (int y = 0; y < spec.height; y += at_once) {
     const int n = std::min(at_once, spec.height - y);
-    // The TIFF reader returns true for strips that it could not decode, but has an error to tell.
-    if (!input->read_scanlines(0, 0, spec.y + y, spec.y + y + n, 0, 0, channels.read, OIIO::TypeDesc::FLOAT,
-                               read.data()) ||
-        input->has_error())
-      throw Refused(Failure::pixels, input->geterror());
+    // The TIFF reader passes over strips that it cannot decode when it reads many rows at once.
+    const int step = format == ImageFormat::tiff ? 1 : n;
+    for (int i = 0; i < n; i += step)
+      read_rows(*input, y + i, step, channels.read, read.data() + std::size_t(i) * width * std::size_t(channels.read));
     bad += arrange(read, channels, width * std::size_t(n), arranged.data());
     sink.rows(y, arranged.data(), row_bytes * std::size_t(n));
   }

@@ -5,7 +5,6 @@ namespace cg::images_program {
 void configure() {
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);  // none
-  OIIO::attribute("tiff:multithread", 0);  // whose own decompression ignores errors
   OIIO::attribute("limits:imagesize_MB", max_megabytes);
   OIIO::attribute("limits:channels", max_channels);
 }
