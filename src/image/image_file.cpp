@@ -38,20 +38,20 @@ ImageInfo info_of(const PictureHeader& p) { return {p.width, p.height, p.file_ch
 void receive_rows(ImageConversation& conversation, const PictureHeader& picture, FileImage& image) {
   const std::size_t channels = std::size_t(picture.channels), width = std::size_t(picture.width);
   const std::size_t row_bytes = width * channels * sizeof(float);
-  std::vector<float> rows(width * channels * std::size_t(rows_at_once(row_bytes)));
+  const std::size_t most = row_bytes * std::size_t(rows_at_once(row_bytes));
+  std::vector<float> rows(image.alpha.empty() ? 0 : most / sizeof(float));
   for (int y = 0; y < picture.height;) {
     const Header header = conversation.receive();
     const std::size_t n = header.size / row_bytes;
     if (header.kind != Kind::rows || header.value != std::uint32_t(y) || n == 0 || n * row_bytes != header.size ||
-        header.size > rows.size() * sizeof(float) || n > std::size_t(picture.height - y))
+        header.size > most || n > std::size_t(picture.height - y))
       conversation.misunderstood();
-    conversation.receive_body(rows.data(), n * row_bytes);
     glm::vec3* colour = image.colour.row(y);
-    float* alpha = image.alpha.empty() ? nullptr : image.alpha.row(y);
-    for (std::size_t i = 0; i < n * width; ++i) {
-      const float* p = rows.data() + i * channels;
+    conversation.receive_body(rows.empty() ? &colour->x : rows.data(), n * row_bytes);
+    for (std::size_t i = 0; i < rows.size() / 4 && i < n * width; ++i) {
+      const float* p = rows.data() + i * 4;
       colour[i] = {p[0], p[1], p[2]};
-      if (alpha) alpha[i] = p[3];
+      image.alpha.row(y)[i] = p[3];
     }
     y += int(n);
   }

@@ -24,6 +24,18 @@ using namespace cg::images_program;
 
 constexpr rlim_t max_memory = rlim_t(2) << 30;  // of address space
 
+void limit_memory() {
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SHADEBENCH_SHADOW_MEMORY  // larger than any limit
+#endif
+#endif
+#if !defined(SHADEBENCH_SHADOW_MEMORY) && !defined(__SANITIZE_ADDRESS__)
+  const rlimit memory{max_memory, max_memory};
+  ::setrlimit(RLIMIT_AS, &memory);
+#endif
+}
+
 [[noreturn]] void leave() { ::_exit(0); }  // without OpenImageIO's exit handlers, which have been seen to hang
 
 // The conversation. The application's end is this program's end.
@@ -134,10 +146,7 @@ int main() {
   }
   ::dup2(nowhere, 1);
   ::signal(SIGPIPE, SIG_IGN);
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory is larger
-  const rlimit memory{max_memory, max_memory};
-  ::setrlimit(RLIMIT_AS, &memory);
-#endif
+  limit_memory();
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   configure();

@@ -63,7 +63,8 @@ std::uint64_t decode(ImageFormat format, std::string_view bytes, bool with_pixel
   const std::size_t row_bytes = width * std::size_t(sent) * sizeof(float);
   const int at_once = std::min(rows_at_once(row_bytes), spec.height);
   std::vector<float> read(width * std::size_t(channels.read) * std::size_t(at_once));
-  std::vector<float> arranged(width * std::size_t(sent) * std::size_t(at_once));
+  const bool as_it_is = channels.read == sent && !spec.format.is_floating_point();
+  std::vector<float> arranged(as_it_is ? 0 : width * std::size_t(sent) * std::size_t(at_once));
   std::uint64_t bad = 0;
   for (int y = 0; y < spec.height; y += at_once) {
     const int n = std::min(at_once, spec.height - y);
@@ -71,8 +72,8 @@ std::uint64_t decode(ImageFormat format, std::string_view bytes, bool with_pixel
     const int step = format == ImageFormat::tiff ? 1 : n;
     for (int i = 0; i < n; i += step)
       read_rows(*input, y + i, step, channels.read, read.data() + std::size_t(i) * width * std::size_t(channels.read));
-    bad += arrange(read, channels, width * std::size_t(n), arranged.data());
-    sink.rows(y, arranged.data(), row_bytes * std::size_t(n));
+    if (!as_it_is) bad += arrange(read, channels, width * std::size_t(n), arranged.data());
+    sink.rows(y, as_it_is ? read.data() : arranged.data(), row_bytes * std::size_t(n));
   }
   return bad;
 }
