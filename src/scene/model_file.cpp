@@ -36,7 +36,7 @@ fs::path file_inside(const fs::path& folder, std::string_view name) {
   std::replace(portable.begin(), portable.end(), '\\', '/');
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
-  if (error || fs::path(portable).is_absolute()) return {};
+  if (error || fs::path(portable).is_absolute() || portable.find('\0') != portable.npos) return {};
   const fs::path file = fs::canonical(root / portable, error);
   if (error || std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end()) return {};
   return fs::is_regular_file(file, error) ? file : fs::path();
