@@ -1,5 +1,10 @@
 #include "raster/triangle_raster.h"
 
+#include <cstring>
+#ifdef __FMA__
+#include <immintrin.h>
+#endif
+
 namespace cg {
 
 namespace {
@@ -18,8 +23,6 @@ struct DepthPlane {
     dy = z20 * (x01 * area_inverse) - z01 * (x20 * area_inverse);
     at_origin = v0.z - (dx * (v0.x - 0.5f) + dy * (v0.y - 0.5f));
   }
-
-  float at(float x, float y) const { return multiply_add(dy, y, multiply_add(dx, x, at_origin)); }
 };
 
 // E(x, y) = c + x dx + y dy at pixel centres; inside is E >= 0. Pixel steps are subpixels * (difference of
@@ -43,33 +46,55 @@ struct Edge {
   }
 };
 
-// Depth test and write of `lanes` pixels beginning at x, where the three edges are `e` and step by `dx`.
-template <class Int>
-inline void draw_lanes(float* depth, std::uint32_t* triangle, const Int (&e)[3], const Edge<Int> (&edges)[3],
-                       const DepthPlane& plane, int x, float y, std::uint32_t id) {
-  for (int i = 0; i < lanes; ++i) {
-    const Int e0 = e[0] + Int(i) * edges[0].dx, e1 = e[1] + Int(i) * edges[1].dx, e2 = e[2] + Int(i) * edges[2].dx;
-    const float z = plane.at(float(x + i), y);
-    const bool wins = ((e0 | e1 | e2) >= 0) & (z < depth[i]);
-    depth[i] = wins ? z : depth[i];
-    triangle[i] = wins ? id : triangle[i];
-  }
+// `lanes` numbers at once: the vector types of GCC and Clang.
+template <class T>
+struct Lanes {
+  typedef T Type __attribute__((vector_size(lanes * sizeof(T))));
+};
+using FloatLanes = Lanes<float>::Type;
+using MaskLanes = Lanes<std::int32_t>::Type;
+using IdLanes = Lanes<std::uint32_t>::Type;
+
+// The plane's depths at (x, y), multiply_add twice. By reference, as machines without such registers pass them so.
+inline void depths(const DepthPlane& plane, const FloatLanes& x, float y, FloatLanes& z) {
+#ifdef __FMA__
+  const __m256 row = _mm256_fmadd_ps(_mm256_set1_ps(plane.dx), x, _mm256_set1_ps(plane.at_origin));
+  z = _mm256_fmadd_ps(_mm256_set1_ps(plane.dy), _mm256_set1_ps(y), row);
+#else
+  z = (plane.at_origin + plane.dx * x) + plane.dy * y;
+#endif
 }
 
+// Depth test and write in the box, eight pixels at a time.
 template <class Int>
 void draw_box(const Band& band, const PixelBox& box, const Edge<Int> (&edges)[3], const DepthPlane& plane,
               std::uint32_t id) {
+  using IntLanes = typename Lanes<Int>::Type;
+  constexpr IntLanes step = {0, 1, 2, 3, 4, 5, 6, 7};
+  const IntLanes dx0 = step * edges[0].dx, dx1 = step * edges[1].dx, dx2 = step * edges[2].dx;
+  const FloatLanes first_x = __builtin_convertvector(step, FloatLanes) + float(box.low_x);
   VisibilityBuffer& buffer = *band.buffer;
-  Int row_e[3] = {edges[0].c, edges[1].c, edges[2].c};
-  for (int y = box.low_y; y <= box.high_y; ++y) {
-    const std::size_t row = buffer.row(buffer.height - 1 - y);
-    Int e[3] = {row_e[0], row_e[1], row_e[2]};
-    for (int x = box.low_x; x <= box.high_x; x += lanes) {
-      draw_lanes(&buffer.depth[row + std::size_t(x)], &buffer.triangle[row + std::size_t(x)], e, edges, plane, x,
-                 float(y), id);
-      for (int k = 0; k < 3; ++k) e[k] += edges[k].dx * lanes;
+  Int c0 = edges[0].c, c1 = edges[1].c, c2 = edges[2].c;
+  std::size_t at = buffer.row(buffer.height - 1 - box.low_y) + std::size_t(box.low_x);
+  for (int y = box.low_y; y <= box.high_y; ++y, at -= buffer.stride) {
+    IntLanes e0 = dx0 + c0, e1 = dx1 + c1, e2 = dx2 + c2;
+    FloatLanes xs = first_x;
+    for (int x = 0; x <= box.high_x - box.low_x; x += lanes) {
+      const MaskLanes inside = __builtin_convertvector((e0 | e1 | e2) >= 0, MaskLanes);
+      FloatLanes depth, z;
+      IdLanes triangle;
+      std::memcpy(&depth, &buffer.depth[at + std::size_t(x)], sizeof depth);
+      depths(plane, xs, float(y), z);
+      const MaskLanes wins = inside & (z < depth);
+      std::memcpy(&triangle, &buffer.triangle[at + std::size_t(x)], sizeof triangle);
+      depth = wins ? z : depth;
+      triangle = wins ? IdLanes{} + id : triangle;
+      std::memcpy(&buffer.depth[at + std::size_t(x)], &depth, sizeof depth);
+      std::memcpy(&buffer.triangle[at + std::size_t(x)], &triangle, sizeof triangle);
+      e0 += edges[0].dx * lanes, e1 += edges[1].dx * lanes, e2 += edges[2].dx * lanes;
+      xs += float(lanes);
     }
-    for (int k = 0; k < 3; ++k) row_e[k] += edges[k].dy;
+    c0 += edges[0].dy, c1 += edges[1].dy, c2 += edges[2].dy;
   }
 }
 
@@ -93,6 +118,8 @@ PixelBox pixel_box(const WindowVertex& v0, const WindowVertex& v1, const WindowV
 void draw_triangle(const Band& band, const WindowVertex& v0, const WindowVertex& v1, const WindowVertex& v2,
                    std::uint32_t id) {
   PixelBox box = pixel_box(v0, v1, v2);
+  // Within 1000 pixels an edge's values stay below 2 * 1000 * 1000 * subpixels < 2^31.
+  const bool small = box.high_x - box.low_x < 1000 && box.high_y - box.low_y < 1000;
   box.low_x = std::max(box.low_x, 0);
   box.high_x = std::min(box.high_x, band.buffer->width - 1);
   box.low_y = std::max(box.low_y, band.buffer->height - band.bottom);
@@ -101,12 +128,11 @@ void draw_triangle(const Band& band, const WindowVertex& v0, const WindowVertex&
   const std::int64_t area = std::int64_t(v1.snapped_x - v0.snapped_x) * std::int64_t(v2.snapped_y - v0.snapped_y) -
                             std::int64_t(v2.snapped_x - v0.snapped_x) * std::int64_t(v1.snapped_y - v0.snapped_y);
   if (area == 0) return;
-  const bool small = box.high_x - box.low_x < 1000 && box.high_y - box.low_y < 1000;
-  (void)small;
-  if (area > 0)
-    draw_counter_clockwise<std::int64_t>(band, box, v0, v1, v2, id);
+  const WindowVertex &a = area > 0 ? v0 : v1, &b = area > 0 ? v1 : v0;
+  if (small)
+    draw_counter_clockwise<std::int32_t>(band, box, a, b, v2, id);
   else
-    draw_counter_clockwise<std::int64_t>(band, box, v1, v0, v2, id);
+    draw_counter_clockwise<std::int64_t>(band, box, a, b, v2, id);
 }
 
 }  // namespace cg
