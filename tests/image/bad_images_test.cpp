@@ -58,8 +58,8 @@ TEST(BadImages, GivePixelsOrOneClearLine) {
       const FileImage image = read_image(folder / file.name);
       ++read;
       if (std::getenv("SHADEBENCH_SHOW"))
-        std::printf("  READ %s %dx%d %d channels %d bits, %zu bad\n", file.name.c_str(), image.info.width, image.info.height,
-                    image.info.channels, image.info.bits, image.bad_pixels);
+        std::printf("  READ %s %dx%d %d channels %d bits, %zu bad\n", file.name.c_str(), image.info.width,
+                    image.info.height, image.info.channels, image.info.bits, image.bad_pixels);
       EXPECT_NE(file.what, "refuse") << file.name;
       EXPECT_EQ(image.colour.size(), std::size_t(image.info.width) * std::size_t(image.info.height));
       EXPECT_TRUE(!file.width || image.info.width == file.width) << file.name;

@@ -38,7 +38,10 @@ Encoder::Encoder(const EncodeOrder& order) : order_(order) {
     spec.attribute("CompressionQuality", 95);
     spec.attribute("jpeg:subsampling", "4:4:4");  // the edges of saturated highlights stay sharp
   }
-  if (order.format == ImageFormat::exr) spec.attribute("compression", "zip");
+  if (order.format == ImageFormat::exr) {
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // else the time goes in, and the same picture gives other bytes
+  }
   if (!output_->open(plugin.file, spec)) throw Refused(Failure::encoding, output_->geterror());
 }
 
