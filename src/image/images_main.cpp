@@ -23,6 +23,7 @@ using namespace cg;
 using namespace cg::images_program;
 
 constexpr rlim_t max_memory = rlim_t(2) << 30;  // of address space
+constexpr unsigned orphan_seconds = 60;         // the application gives up much earlier, unless it has gone
 
 // The address sanitizer reserves more address space than any limit.
 #if defined(__SANITIZE_ADDRESS__)
@@ -89,6 +90,7 @@ std::optional<Refused> fault_of(Failure otherwise, F f) {
 
 void serve_decode(Socket& socket, const Header& request) {
   if (request.size > max_file) leave();
+  ::alarm(orphan_seconds);
   std::vector<char> bytes;
   const auto fault = fault_of(Failure::pixels, [&] {
     bytes.resize(std::size_t(request.size));
@@ -102,6 +104,7 @@ void serve_decode(Socket& socket, const Header& request) {
   });
   if (bytes.empty() && request.size > 0) socket.skip(request.size);  // there was no room for them
   if (fault) socket.fail(*fault);
+  ::alarm(0);
 }
 
 // All rows are taken even where something failed: the answer comes when the application has finished speaking.

@@ -2,8 +2,8 @@
 
 Usage: make_bad_images.py FOLDER SEED...     SEED: good files, at least a.jpg, a.exr and a.hdr, of 16 x 12 pixels
 
-FOLDER/expected.txt has a line for each file: `read`, `refuse` or `either`, the size that a picture must have where it is
-given ("-" where a damaged header may state another), and the file's name.
+FOLDER/expected.txt has a line for each file: `read`, `refuse` or `either`, the size that a picture must have where it
+is given ("-" where a damaged header may state another), and the file's name.
 """
 import os
 import pathlib
@@ -23,8 +23,8 @@ PIXELS = b"".join(rgb(i) for i in range(W * H))
 
 
 # ---- one good file of each format that can be written in a few lines -------------------------------------------------
-def chunk(kind, data, crc=None):
-    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data) if crc is None else crc)
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
 
 def png(width=W, height=H, bits=8, colour=2, data=None, before=b"", interlace=0, end=True):
@@ -40,22 +40,22 @@ def bmp(width=W, height=H, bits=24, compression=0, offset=54, size=40, colours=0
     if pixels is None:
         row = (abs(width) * bits + 31) // 32 * 4
         pixels = bytes((i * 11) & 255 for i in range(min(row * abs(height), 1 << 16)))
-    header = struct.pack("<IiiHHIIiiII", size, width, height, planes, bits, compression, len(pixels), 2835, 2835, colours, 0)
+    header = struct.pack("<IiiHHIIiiII", size, width, height, planes, bits, compression, len(pixels), 2835, 2835,
+                         colours, 0)
     body = header + palette + pixels
     return b"BM" + struct.pack("<IHHI", 14 + len(body), 0, 0, offset) + body
 
 
-def tga(kind=2, width=W, height=H, bits=24, map_type=0, map_spec=(0, 0, 0), name=b"", pixels=PIXELS, flags=0x20, length=None):
-    return struct.pack("<BBBHHBHHHHBB", len(name) if length is None else length, map_type, kind, *map_spec, 0, 0, width,
-                       height, bits, flags) + name + pixels
+def tga(kind=2, width=W, height=H, bits=24, map_type=0, map_spec=(0, 0, 0), pixels=PIXELS, length=0):
+    return struct.pack("<BBBHHBHHHHBB", length, map_type, kind, *map_spec, 0, 0, width, height, bits, 0x20) + pixels
 
 
 def tiff(entries=None, order="<", pixels=PIXELS, **changed):
     """Baseline RGB; `changed` replaces an entry's value by its name."""
     names = dict(width=256, height=257, bits=258, compression=259, photometric=262, offset=273, samples=277, rows=278,
                  count=279, planar=284)
-    values = dict(width=W, height=H, bits=8, compression=1, photometric=2, offset=8, samples=3, rows=H, count=len(pixels),
-                  planar=1) | changed
+    values = dict(width=W, height=H, bits=8, compression=1, photometric=2, offset=8, samples=3, rows=H,
+                  count=len(pixels), planar=1) | changed
     bits_at = 8 + len(pixels)
     entries = entries or []
     for name, tag in names.items():
@@ -91,7 +91,7 @@ GOOD = {"png": png(), "bmp": bmp(), "tga": tga(), "tif": tiff(), "hdr": hdr(), "
 NAN, INF = float("nan"), float("inf")
 BIG, HALF = 2**31 - 1, W * H * 3 // 2
 
-# ---- hostile files: expectation, size of what is read (None: any), name, bytes ----------------------------------------
+# ---- hostile files: expectation, size of what is read (None: any), name, bytes -----------------------------------
 SIZE = (W, H)
 TABLE = [
     ("read", SIZE, "good.png", png()),
@@ -280,7 +280,8 @@ def damaged(good, extension):
     yield "refuse", "shifted", b" " + good
     for i in range(16):
         at = noise.randrange(min(n, 128))
-        yield "either", f"changed_{at}_{i}", good[:at] + bytes([good[at] ^ noise.choice([1, 0x80, 0xff])]) + good[at + 1:]
+        changed = bytes([good[at] ^ noise.choice([1, 0x80, 0xff])])
+        yield "either", f"changed_{at}_{i}", good[:at] + changed + good[at + 1:]
 
 
 def exr_files(good):
@@ -291,9 +292,10 @@ def exr_files(good):
     for name, box in {"huge": (0, 0, 10**6, 10**6), "negative": (5, 5, 0, 0), "limits": (-2**31, -2**31, BIG, BIG),
                       "wide": (0, 0, BIG, 0)}.items():
         yield "refuse", "window_" + name, good[:window] + struct.pack("<4i", *box) + good[window + 16:]
-    for name, old, new in (("compression", b"compression\0compression\0\1\0\0\0", b"compression\0compression\0\1\0\0\0\x77"),
-                           ("type", b"channels\0chlist\0", b"channels\0chlisX\0"), ("lines", b"lineOrder\0", b"dataWindoX\0")):
-        yield "refuse", name, good.replace(old + b"\3" if name == "compression" else old, new, 1)
+    compression = b"compression\0compression\0\1\0\0\0"
+    yield "refuse", "compression", good.replace(compression + b"\3", compression + b"\x77", 1)
+    yield "refuse", "type", good.replace(b"channels\0chlist\0", b"channels\0chlisX\0", 1)
+    yield "either", "line_order", good.replace(b"lineOrder\0", b"lineXrder\0", 1)
 
 
 def main(folder, seeds):
