@@ -98,14 +98,19 @@ void TextScanner::take_line() {
   ++next_line_;
 }
 
-// Whether the line at p_ ends in a backslash that joins it to the next one. It does not in a comment, nor behind
-// a byte of a multi-byte character: the second byte of many Shift-JIS characters is a backslash.
-bool TextScanner::goes_on() const {
-  if (!rules_.joins_lines || end_ == p_ || end_[-1] != '\\' || next_ == end_) return false;
-  if (end_ - p_ >= 2 && std::uint8_t(end_[-2]) >= 0x80) return false;
-  const char* first = p_;
+// A backslash at the end of the line joins the next one to it. It does not in a comment, nor behind a byte of a
+// multi-byte character: the second byte of many Shift-JIS characters is a backslash.
+void TextScanner::join_lines() {
+  const char *end = text_.data() + text_.size(), *first = p_;
   while (first < end_ && is_space(*first)) ++first;
-  return *first != rules_.comment;
+  if (first < end_ && *first == rules_.comment) return;
+  while (end_ > p_ && end_[-1] == '\\' && !(end_ - p_ >= 2 && std::uint8_t(end_[-2]) >= 0x80)) {
+    if (next_ == end) {
+      end_ = end;  // nothing is there to be joined
+      return;
+    }
+    take_line();
+  }
 }
 
 bool TextScanner::next_line() {
@@ -115,7 +120,7 @@ bool TextScanner::next_line() {
     line_ = next_line_;
     p_ = next_;
     take_line();
-    while (goes_on() && next_ < end) take_line();
+    if (rules_.joins_lines) join_lines();
   } while (at_end());
   return true;
 }

@@ -104,7 +104,7 @@ class TextScanner {
   }
   const char* find_line_end(const char* from);
   void take_line();
-  bool goes_on() const;
+  void join_lines();
   double odd_number(const Words& what);
 
   std::string_view text_;
