@@ -78,8 +78,8 @@ RowChange number_row(App& app, const Row& row) {
   ImGui::PushID(row.id);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = std::max(ImGui::GetContentRegionAvail().x, look.px(150)), h = look.px(30);
-  const float reset_w = look.px(20), value_w = look.px(76), swatch_w = look.px(row.swatch ? 24 : 0);
-  const float symbol_w = look.px(row.symbol.empty() ? 0 : 40);
+  const float reset_w = look.px(20), value_w = look.px(78), swatch_w = look.px(row.swatch ? 20 : 0);
+  const float symbol_w = look.px(row.symbol.empty() ? -7 : 34);  // the knob's line begins at the edge
   const bool lit = app.lit != Quantity::none && app.lit == row.about->quantity;
   const ImU32 colour = look.of(row.about->quantity);
   const bool wholly_hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&

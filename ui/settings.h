@@ -43,7 +43,7 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
-  double left_width = 300, right_width = 320, strip_height = 132;  // of the layout, units
+  double left_width = 312, right_width = 320, strip_height = 132;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -54,8 +54,7 @@ void explain_term(App& app, const Piece& piece) {
           piece.needs_rays ? Words{"needs ray tracing", "レイトレーシングが必要"}.in(l) : click.in(l));
 }
 
-// Returns the width.
-float draw_equation(App& app, ImVec2 at, float baseline) {
+void draw_equation(App& app, ImVec2 at, float baseline) {
   Look& look = app.look;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const TypeSize size{look.fonts.formula, look.fonts.formula_sub};
@@ -67,7 +66,7 @@ float draw_equation(App& app, ImVec2 at, float baseline) {
     const bool term = piece.quantity != Quantity::none;
     const bool alone = app.isolated.term != Quantity::none;
     float alpha = 1;
-    if (piece.needs_rays || (alone && app.isolated.term != piece.quantity)) alpha = 0.35f;
+    if (piece.needs_rays || (alone && app.isolated.term != piece.quantity)) alpha = 0.45f;
     if (term) {
       ImGui::PushID(index);
       ImGui::SetCursorScreenPos({x, top});
@@ -94,7 +93,6 @@ float draw_equation(App& app, ImVec2 at, float baseline) {
     x += w;
     ++index;
   }
-  return x - at.x;
 }
 
 // The lights as buttons: one alone, or all.
@@ -128,23 +126,32 @@ struct Figure {
   std::string value;
 };
 
-void draw_figures(App& app, ImVec2 at, float width) {
+// In one line that ends at `right`; what does not fit beside the heading is left out, the last first.
+void draw_figures(App& app, float left, float right, float baseline) {
   Look& look = app.look;
   const Figures& f = app.figures;
   const std::string none = "–";
-  const auto ms = [](double v) { return number_text(v, 1, 6) + " ms"; };
-  const std::array<Figure, 5> all{
+  const std::array<Figure, 4> all{
       {{{"Max difference", "最大差"}, f.valid ? number_text(std::round(f.max_error * 2550) / 10, 1, 6) + "/255" : none},
        {{"RMSE", "RMSE"}, f.valid ? number_text(f.rmse, 0, 7) : none},
        {{"Coverage", "被覆差"}, f.valid ? std::to_string(f.coverage_mismatch) + " px" : none},
-       {{"Left", "左"}, f.left_ms > 0 ? ms(std::round(f.left_ms * 10) / 10) : none},
-       {{"Right", "右"}, f.right_ms > 0 ? ms(std::round(f.right_ms * 10) / 10) : none}}};
-  const float column = width / float(all.size());
+       {{"Over 1/255", "1/255 超"}, f.valid ? std::to_string(f.over_1_255) + " px" : none}}};
+  const float gap = look.px(8), between = look.px(26), value_room = look.px(62);
+  const auto width = [&](const Figure& figure) {
+    return text_width(look.fonts.small, noted(app, figure.label)) + gap +
+           std::max(value_room, text_width(look.fonts.small_mono, figure.value));
+  };
+  std::size_t shown = 0;
+  float total = -between;
+  while (shown < all.size() && left + total + between + width(all[shown]) <= right)
+    total += between + width(all[shown++]);
+  float x = right - total;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const float x = at.x + float(i) * column;
-    set_text(draw, look.fonts.small, {x, at.y + look.px(13)}, look.palette.dim, noted(app, all[i].label));
-    set_text(draw, look.fonts.mono, {x, at.y + look.px(36)}, look.palette.text, noted(app, all[i].value));
+  for (std::size_t i = 0; i < shown; ++i) {
+    const float label =
+        set_text(draw, look.fonts.small, {x, baseline}, look.palette.dim, noted(app, all[i].label)) + gap;
+    set_text(draw, look.fonts.small_mono, {x + label, baseline}, look.palette.text, noted(app, all[i].value));
+    x += width(all[i]) + between;
   }
 }
 
@@ -153,18 +160,15 @@ void draw_figures(App& app, ImVec2 at, float width) {
 void draw_strip(App& app) {
   Look& look = app.look;
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  heading(app, app.isolated == Isolated{}
-                   ? Words{"Light model", "光源計算の式"}.in(app.language())
-                   : Words{"Light model: one part alone", "光源計算の式（一部だけを表示中）"}.in(app.language()));
-  const float formula_top = at.y + look.px(22);
-  const float w = draw_equation(app, {at.x, formula_top}, formula_top + look.px(37));
-  ImGui::SetCursorScreenPos({at.x, formula_top + look.px(58)});
+  const std::string_view title =
+      noted(app, app.isolated == Isolated{} ? Words{"Light model", "光源計算の式"}
+                                            : Words{"Light model: one part alone", "光源計算の式（一部だけを表示中）"});
+  heading(app, title);
+  draw_figures(app, at.x + text_width(look.fonts.small, title) + look.px(24), at.x + room.x, at.y + look.px(17));
+  const float top = at.y + look.px(24);
+  draw_equation(app, {at.x, top}, top + look.px(37));
+  ImGui::SetCursorScreenPos({at.x, top + look.px(60)});
   draw_light_choice(app);
-  const float figures_w = look.px(480);
-  if (room.x - w > figures_w + look.px(24))
-    draw_figures(app, {at.x + room.x - figures_w, at.y}, figures_w);
-  else
-    draw_figures(app, {at.x + look.px(150), at.y - look.px(2)}, std::min(figures_w, room.x - look.px(150)));
 }
 
 }  // namespace cg

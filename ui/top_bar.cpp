@@ -66,7 +66,7 @@ void draw_top_bar(App& app) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float baseline = at.y + look.px(21.5f);
   float x = at.x;
-  x += set_text(draw, look.fonts.bold, {x, baseline}, look.palette.text, "Shadebench") + look.px(16);
+  x += set_text(draw, look.fonts.bold, {x, baseline}, look.palette.text, "Shadebench") + look.px(20);
 
   const Language l = app.language();
   const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture)};
@@ -80,12 +80,12 @@ void draw_top_bar(App& app) {
                          {Do::help, "?"}};
   const float rest_w = width_of(app, rest), files_w = width_of(app, files);
   const std::string name = title(app);
-  const float name_room = room - (x - at.x) - rest_w - files_w - look.px(16);
+  const float name_room = room - (x - at.x) - rest_w - files_w - look.px(32);
   if (name_room > look.px(40)) {
     draw->PushClipRect({x, at.y}, {x + name_room, at.y + look.px(40)}, true);
     set_text(draw, look.fonts.text, {x, baseline}, look.palette.dim, noted(app, name));
     draw->PopClipRect();
-    x += std::min(name_room, text_width(look.fonts.text, name)) + look.px(12);
+    x += std::min(name_room, text_width(look.fonts.text, name)) + look.px(28);
   }
   ImGui::SetCursorScreenPos({x, at.y});
   draw_items(app, files);

@@ -14,9 +14,8 @@ void choose_technique(App& app, const char* id, int& chosen, float width) {
   if (app.techniques.empty()) return;
   chosen = std::clamp(chosen, 0, int(app.techniques.size()) - 1);
   const Language l = app.language();
-  ImGui::SetNextItemWidth(width);
   const std::string now(noted(app, app.techniques[std::size_t(chosen)].name));
-  if (!ImGui::BeginCombo(id, now.c_str(), ImGuiComboFlags_HeightLarge)) return;
+  if (!begin_list(app, id, now.c_str(), width)) return;
   for (int i = 0; i < int(app.techniques.size()); ++i) {
     const Technique& t = app.techniques[std::size_t(i)];
     const std::optional<Text> why_not = t.unavailable   ? t.unavailable
@@ -51,9 +50,7 @@ void draw_view_bar(App& app) {
   float needed = 0;
   for (const Name& m : modes) needed += button_width(app, noted(app, m.label)) + look.px(2);
   const float combo = std::clamp((room - needed - look.px(24)) * 0.5f, look.px(60), look.px(230));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look.px(10), look.px(5)});
   choose_technique(app, "##left", app.left, combo);
-  ImGui::PopStyleVar();
   float x = at.x + (room - needed) * 0.5f;
   for (int i = 0; i < int(modes.size()); ++i) {
     ImGui::SetCursorScreenPos({x, at.y});
@@ -69,9 +66,7 @@ void draw_view_bar(App& app) {
     x += button_width(app, modes[std::size_t(i)].label.in(app.language())) + look.px(2);
   }
   ImGui::SetCursorScreenPos({at.x + room - combo, at.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look.px(10), look.px(5)});
   choose_technique(app, "##right", app.right, combo);
-  ImGui::PopStyleVar();
   ImGui::SetCursorScreenPos({at.x, at.y + look.px(38)});
 }
 

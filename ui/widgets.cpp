@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "math/transform.h"
@@ -17,7 +18,29 @@ float centred_baseline(ImFont* font, float top, float h) {
   return std::floor(top + 0.5f * (h - font->FontSize) + font->Ascent);
 }
 
+// An arrow head that points down, or to the right.
+void chevron(ImDrawList* draw, ImVec2 c, float r, bool down, ImU32 colour, float thickness) {
+  const std::array<ImVec2, 3> points =
+      down ? std::array<ImVec2, 3>{{{c.x - r, c.y - r * 0.5f}, {c.x, c.y + r * 0.5f}, {c.x + r, c.y - r * 0.5f}}}
+           : std::array<ImVec2, 3>{{{c.x - r * 0.5f, c.y - r}, {c.x + r * 0.5f, c.y}, {c.x - r * 0.5f, c.y + r}}};
+  draw->AddPolyline(points.data(), int(points.size()), colour, 0, thickness);
+}
+
 }  // namespace
+
+bool begin_list(App& app, const char* id, const char* shown, float width) {
+  Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetNextItemWidth(std::max(1.0f, width));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {look.px(11), std::max(0.0f, 0.5f * (look.px(32) - look.fonts.text->FontSize))});
+  const bool open = ImGui::BeginCombo(id, shown, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+  ImGui::PopStyleVar();
+  if (!open)
+    chevron(ImGui::GetWindowDrawList(), {at.x + width - look.px(15), at.y + look.px(16)}, look.px(4), true,
+            look.palette.dim, look.px(1.5f));
+  return open;
+}
 
 void heading(App& app, std::string_view text) {
   Look& look = app.look;
@@ -40,18 +63,7 @@ bool section(App& app, const char* id, const Words& title, bool open_at_first) {
   if (ImGui::InvisibleButton("fold", {w, h})) store->SetBool(key, open = !open);
   const ImU32 colour = ImGui::IsItemHovered() ? look.palette.text : look.palette.dim;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float r = look.px(3.5f);
-  const ImVec2 c{at.x + w - look.px(9), at.y + h * 0.5f};
-  if (open)
-    draw->AddPolyline(
-        std::array{ImVec2{c.x - r, c.y - r * 0.5f}, ImVec2{c.x, c.y + r * 0.6f}, ImVec2{c.x + r, c.y - r * 0.5f}}
-            .data(),
-        3, colour, 0, look.px(1.5f));
-  else
-    draw->AddPolyline(
-        std::array{ImVec2{c.x + r * 0.5f, c.y - r}, ImVec2{c.x - r * 0.6f, c.y}, ImVec2{c.x + r * 0.5f, c.y + r}}
-            .data(),
-        3, colour, 0, look.px(1.5f));
+  chevron(draw, {at.x + w - look.px(9), at.y + h * 0.5f}, look.px(3.5f), open, colour, look.px(1.5f));
   set_text(draw, look.fonts.small, {at.x, centred_baseline(look.fonts.small, at.y, h)}, colour, noted(app, title));
   ImGui::PopID();
   return open;
@@ -98,9 +110,8 @@ bool choose(App& app, const char* id, std::span<const Name> names, int& chosen) 
       ImGui::PopID();
     }
   } else {
-    ImGui::SetNextItemWidth(std::max(1.0f, room));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {app.look.px(10), app.look.px(5)});
-    if (ImGui::BeginCombo("##list", std::string(names[chosen].label.in(language)).c_str())) {
+    const std::string shown(names[std::size_t(chosen)].label.in(language));
+    if (begin_list(app, "##list", shown.c_str(), room)) {
       for (int i = 0; i < int(names.size()); ++i) {
         ImGui::PushID(i);
         if (ImGui::Selectable(std::string(names[i].label.in(language)).c_str(), i == chosen)) chosen = i;
@@ -108,7 +119,6 @@ bool choose(App& app, const char* id, std::span<const Name> names, int& chosen) 
       }
       ImGui::EndCombo();
     }
-    ImGui::PopStyleVar();
   }
   ImGui::PopID();
   return chosen != old;

@@ -33,6 +33,8 @@ float button_width(const App& app, std::string_view label);
 
 // One of a few: buttons beside each other where they fit, else a drop-down list. True when `chosen` changed.
 bool choose(App& app, const char* id, std::span<const Name> names, int& chosen);
+// A drop-down list that shows `shown` while it is closed; as ImGui::BeginCombo, to be ended with EndCombo.
+bool begin_list(App& app, const char* id, const char* shown, float width);
 bool toggle(App& app, const char* id, std::string_view label, bool& on);
 
 // A thin line with a round knob at `position` (0..1), `width` wide and `height` high to the mouse. True while a
