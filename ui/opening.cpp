@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "image/image_file.h"
 #include "ui/app.h"
 #include "workbench/open.h"
 #include "workbench/preset.h"
+#include "workbench/session.h"
 
 namespace cg {
 
@@ -40,12 +42,6 @@ void Errands::finish(App& app) {
     if (d) d(app);
 }
 
-void remember_recent(App& app, const std::string& what) {
-  std::erase(app.recent, what);
-  app.recent.insert(app.recent.begin(), what);
-  if (app.recent.size() > 8) app.recent.resize(8);
-}
-
 void open_in_window(App& app, std::string what) {
   app.errands->run(app, [what]() -> Errands::Done {
     auto notes = std::make_shared<std::vector<Text>>();
@@ -55,7 +51,7 @@ void open_in_window(App& app, std::string what) {
       a.preset = what.ends_with(".json") ? what : std::string();
       a.light = a.object = 0;
       a.isolated = {};
-      remember_recent(a, what);
+      add_recent(a.recent, what);
       for (const Text& note : *notes) say(a, note);
     };
   });
@@ -75,13 +71,22 @@ void save_or_ask(App& app) {
     save_as(app, app.preset);
 }
 
+void save_picture(App& app, std::filesystem::path file) {
+  const DrawingHandle drawing = app.drawings[app.picture_side];
+  if (!drawing) return;
+  app.errands->run(app, [file, drawing]() -> Errands::Done {
+    write_image(file, drawing->frame.colour, drawing->scene.display);
+    return [file](App& a) { say(a, Text("Saved " + file.string(), file.string() + " に保存しました")); };
+  });
+}
+
 void save_as(App& app, std::filesystem::path file) {
   if (file.extension() != ".json") file += ".json";
   app.errands->run(app, [file, scene = app.scene]() -> Errands::Done {
     save_preset(scene, file);
     return [file](App& a) {
       a.preset = file.string();
-      remember_recent(a, std::filesystem::absolute(file).string());
+      add_recent(a.recent, std::filesystem::absolute(file).string());
       say(a, Text("Saved " + file.string(), file.string() + " に保存しました"));
     };
   });

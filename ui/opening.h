@@ -39,7 +39,4 @@ void save_as(App& app, std::filesystem::path file);
 // Writes the picture of the side app.picture_side.
 void save_picture(App& app, std::filesystem::path file);
 
-// What was opened last, the newest first.
-void remember_recent(App& app, const std::string& what);
-
 }  // namespace cg

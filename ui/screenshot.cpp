@@ -4,9 +4,10 @@
 // After epoxy.
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <vector>
 
-#include "params/file.h"
+#include "image/image_file.h"
 #include "ui/app.h"
 
 namespace cg {
@@ -22,15 +23,13 @@ bool Screenshot::wanted(App& app) {
 void Screenshot::take(GLFWwindow* window) const {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
-  std::vector<unsigned char> rows(std::size_t(width) * std::size_t(height) * 3);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  std::vector<glm::u8vec4> rows(std::size_t(width) * std::size_t(height));
   glReadBuffer(GL_BACK);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
-  std::string out = "P6\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
-  for (int y = height - 1; y >= 0; --y)
-    out.append(reinterpret_cast<const char*>(rows.data()) + std::size_t(y) * std::size_t(width) * 3,
-               std::size_t(width) * 3);
-  save_file(file_, out);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y)
+    std::copy_n(rows.data() + std::size_t(height - 1 - y) * std::size_t(width), width, picture.row(y));
+  write_image(file_, picture);
 }
 
 }  // namespace cg

@@ -10,7 +10,7 @@ struct App;
 
 class Screenshot {
  public:
-  // `file` is a .ppm; empty: never wanted.
+  // `file` is a .png; empty: never wanted.
   explicit Screenshot(std::string file) : file_(std::move(file)) {}
   // True when both pictures stand and all texts have their glyphs, or after 20 s.
   bool wanted(App& app);

@@ -75,8 +75,7 @@ void draw_top_bar(App& app) {
                          {Do::plan, std::string(action(Do::plan).label.in(l)), app.settings.side == Side::plan},
                          {Do::mesh, std::string(action(Do::mesh).label.in(l)), app.settings.side == Side::mesh},
                          {Do::language, l == Language::english ? "日本語" : "English"},
-                         {Do::theme, std::string(app.settings.theme == Theme::dark ? Words{"Light", "明"}.in(l)
-                                                                                   : Words{"Dark", "暗"}.in(l))},
+                         {Do::theme, "◐"},
                          {Do::help, "?"}};
   const float rest_w = width_of(app, rest), files_w = width_of(app, files);
   const std::string name = title(app);

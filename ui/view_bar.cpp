@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/actions.h"
 #include "ui/app.h"
 #include "ui/layout.h"
 #include "ui/widgets.h"
@@ -39,6 +40,36 @@ void choose_technique(App& app, const char* id, int& chosen, float width) {
   ImGui::EndCombo();
 }
 
+constexpr Do actions_of_view[] = {Do::view_two, Do::view_wipe, Do::view_flip, Do::view_difference,
+                                  Do::view_false_colour};
+
+void view_buttons(App& app) {
+  constexpr auto& modes = names_of<ViewMode>;
+  for (int i = 0; i < int(modes.size()); ++i) {
+    if (i > 0) ImGui::SameLine(0, app.look.px(2));
+    const Action& a = action(actions_of_view[i]);
+    ImGui::PushID(i);
+    if (button(app, "mode",
+               {.label = modes[std::size_t(i)].label.in(app.language()),
+                .tip = a.label,
+                .shortcut = a.keys,
+                .chosen = int(app.settings.view) == i,
+                .quiet = true}))
+      perform(app, a.what);
+    ImGui::PopID();
+  }
+}
+
+void view_list(App& app, float width) {
+  constexpr auto& modes = names_of<ViewMode>;
+  const std::string now(modes[std::size_t(app.settings.view)].label.in(app.language()));
+  if (!begin_list(app, "##view", now.c_str(), width)) return;
+  for (int i = 0; i < int(modes.size()); ++i)
+    if (ImGui::Selectable(std::string(noted(app, modes[std::size_t(i)].label)).c_str(), int(app.settings.view) == i))
+      app.settings.view = ViewMode(i);
+  ImGui::EndCombo();
+}
+
 }  // namespace
 
 void draw_view_bar(App& app) {
@@ -49,22 +80,15 @@ void draw_view_bar(App& app) {
   constexpr auto& modes = names_of<ViewMode>;
   float needed = 0;
   for (const Name& m : modes) needed += button_width(app, noted(app, m.label)) + look.px(2);
-  const float combo = std::clamp((room - needed - look.px(24)) * 0.5f, look.px(60), look.px(230));
+  const bool narrow = room - needed < look.px(350);  // then the ways to look are a list too
+  if (narrow) needed = look.px(140);
+  const float combo = std::clamp((room - needed - look.px(16)) * 0.5f, look.px(40), look.px(240));
   choose_technique(app, "##left", app.left, combo);
-  float x = at.x + (room - needed) * 0.5f;
-  for (int i = 0; i < int(modes.size()); ++i) {
-    ImGui::SetCursorScreenPos({x, at.y});
-    ImGui::PushID(i);
-    const std::string shortcut = std::to_string(i + 1);
-    if (button(app, "mode",
-               {.label = modes[std::size_t(i)].label.in(app.language()),
-                .shortcut = shortcut,
-                .chosen = int(app.settings.view) == i,
-                .quiet = true}))
-      app.settings.view = ViewMode(i);
-    ImGui::PopID();
-    x += button_width(app, modes[std::size_t(i)].label.in(app.language())) + look.px(2);
-  }
+  ImGui::SetCursorScreenPos({at.x + (room - needed) * 0.5f, at.y});
+  if (narrow)
+    view_list(app, needed);
+  else
+    view_buttons(app);
   ImGui::SetCursorScreenPos({at.x + room - combo, at.y});
   choose_technique(app, "##right", app.right, combo);
   ImGui::SetCursorScreenPos({at.x, at.y + look.px(38)});

@@ -34,12 +34,17 @@ bool begin_list(App& app, const char* id, const char* shown, float width) {
   ImGui::SetNextItemWidth(std::max(1.0f, width));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       {look.px(11), std::max(0.0f, 0.5f * (look.px(32) - look.fonts.text->FontSize))});
-  const bool open = ImGui::BeginCombo(id, shown, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo(id, "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleVar();
-  if (!open)
-    chevron(ImGui::GetWindowDrawList(), {at.x + width - look.px(15), at.y + look.px(16)}, look.px(4), true,
-            look.palette.dim, look.px(1.5f));
-  return open;
+  if (open) return true;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float text_end = at.x + width - look.px(24);
+  draw->PushClipRect(at, {std::max(at.x, text_end), at.y + look.px(32)}, true);
+  set_text(draw, look.fonts.text, {at.x + look.px(11), centred_baseline(look.fonts.text, at.y, look.px(32))},
+           look.palette.text, shown);
+  draw->PopClipRect();
+  chevron(draw, {at.x + width - look.px(14), at.y + look.px(16)}, look.px(4), true, look.palette.dim, look.px(1.5f));
+  return false;
 }
 
 void heading(App& app, std::string_view text) {

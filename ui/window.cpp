@@ -12,13 +12,16 @@
 #include <cstdio>
 
 #include "params/slots.h"
+#include "scene/shape.h"
 #include "ui/actions.h"
 #include "ui/app.h"
 #include "ui/fonts.h"
 #include "ui/frame_times.h"
+#include "ui/keeping.h"
 #include "ui/layout.h"
 #include "ui/screenshot.h"
 #include "ui/texts.h"
+#include "workbench/environment.h"
 #include "workbench/open.h"
 
 namespace cg {
@@ -32,7 +35,7 @@ std::string last_glfw_error() {
 // GLFW, its window with an OpenGL context, and ImGui on it; undone in reverse order.
 class Surface {
  public:
-  Surface(App& app, const WindowOptions& options) {
+  Surface(App& app, const Placement& place) {
     if (!glfwInit()) {
       const std::string why = last_glfw_error();
       throw InputError("display", {"no window can be opened: " + why, "ウィンドウを開けません: " + why},
@@ -43,7 +46,7 @@ class Surface {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
-    int width = options.width, height = options.height;
+    int width = place.width, height = place.height;
     if (width <= 0 || height <= 0) fit_monitor(width, height);
     // GLFW refuses a size of 0, and X ends the program for one beyond its 16 bits.
     window_ =
@@ -169,51 +172,68 @@ void draw_frame(App& app, GLFWwindow* window) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-int index_of(const std::vector<Technique>& all, const std::string& id, int otherwise) {
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].id == id && !all[i].unavailable) return int(i);
-  return std::clamp(otherwise, 0, std::max(0, int(all.size()) - 1));
-}
-
-void start_app(App& app, const std::vector<Technique>& techniques, const WindowOptions& options) {
-  app.techniques = techniques;
-  Slots settings = slots(app.settings);
-  for (const std::string& text : options.set) {
+void set_settings(App& app, const std::vector<std::string>& texts) {
+  const Slots all = slots(app.settings);
+  for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw InputError(text, {"no = in it", "= がありません"}, {"path=value", "path=value"});
-    assign_text(find_slot(settings, text.substr(0, equals)), text.substr(equals + 1));
+    assign_text(find_slot(all, text.substr(0, equals)), text.substr(equals + 1));
   }
-  app.left = index_of(techniques, app.settings.left, 0);
-  app.right = index_of(techniques, app.settings.right, int(techniques.size()) - 1);
-  app.wake = [] { glfwPostEmptyEvent(); };
 }
+
+// Before there is a window: what cannot be opened ends the program with its message.
+void open_at_start(App& app, const std::string& what) {
+  std::vector<Text> notes;
+  app.scene = open_scene(what, &notes);
+  if (what.ends_with(".json")) app.preset = what;
+  add_recent(app.recent, what);
+  for (const Text& note : notes) say(app, note);
+}
+
+// What lives on the window's OpenGL context goes before it.
+struct ContextUsers {
+  App& app;
+  ~ContextUsers() { app.panes.reset(); }
+};
 
 }  // namespace
 
 int run_window(const std::vector<Technique>& techniques, const WindowOptions& options) {
   StartTimes start(options.times);
   App app;
-  start_app(app, techniques, options);
+  app.techniques = techniques;
+  app.settings.language = language_of_environment();
+  app.wake = [] { glfwPostEmptyEvent(); };
+  SessionStore store(options.keep_session ? state_folder() : std::nullopt,
+                     options.keep_session ? config_folder() : std::nullopt);
+  Placement place;
+  if (options.keep_session) restore(app, place, store, options.scene.empty());
+  set_settings(app, options.set);
+  choose_techniques(app);
+  if (options.width > 0 && options.height > 0) place = {options.width, options.height};
   app.bundled = bundled_models();
-  app.scene = open_scene(options.scene.empty() ? std::string("teapot") : options.scene);
+  if (!options.scene.empty()) open_at_start(app, options.scene);
+  if (app.scene.objects.empty()) app.scene = open_scene(std::string(shapes().front().id));
   app.history.restart(app.scene);
   start.mark("scene");
   const auto files = find_fonts();
   start.mark("fonts found");
-  Surface surface(app, options);
+  Surface surface(app, place);
+  const ContextUsers users{app};
   start.mark("window");
   Dress dress(files);
   FrameTimes times;
   Screenshot shot(options.screenshot);
   int settling = 2;
-  bool first = true;
-  while (!glfwWindowShouldClose(surface.get())) {
+  for (bool first = true; !glfwWindowShouldClose(surface.get()); first = false) {
     if (!first) wait_for_reason(app, settling);
     times.begin();
     dress.fit(app, options.scale > 0 ? options.scale : surface.content_scale());
     if (first) start.mark("fonts built");
     draw_frame(app, surface.get());
+    glfwGetWindowSize(surface.get(), &place.width, &place.height);
+    if (options.keep_session) keep(app, place, store);
     times.end();
     if (shot.wanted(app)) {
       shot.take(surface.get());
@@ -221,7 +241,6 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     }
     glfwSwapBuffers(surface.get());
     if (first) start.mark("first frame");
-    first = false;
   }
   app.panes = nullptr;  // while there is still an OpenGL context
   if (options.times) times.print();
