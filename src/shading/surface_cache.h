@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <future>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -10,60 +11,58 @@
 
 namespace cg {
 
-// Safe to use from several threads. Keeps the few surfaces used last, and none of a mesh that is gone.
+// Safe to use from several threads. Keeps, of each mesh, the few surfaces used last, and none of a mesh that is gone.
 class SurfaceCache {
  public:
-  explicit SurfaceCache(std::size_t capacity = 16) : capacity_(capacity) {}
+  explicit SurfaceCache(std::size_t surfaces_a_mesh = 3) : surfaces_a_mesh_(surfaces_a_mesh) {}
 
   // As make_surface. Who asks while another thread makes the same surface waits for it; others do not.
   SurfaceHandle get(const MeshHandle& mesh, NormalRule rule, double crease_angle) {
-    if (rule == NormalRule::face) crease_angle = 180;  // means nothing there
+    const Key key{rule, rule == NormalRule::face ? 180 : crease_angle};  // flat faces have no crease
     std::promise<SurfaceHandle> promise;
-    if (auto made = find_or_add(mesh, rule, crease_angle, promise)) return made->get();
+    if (auto made = find_or_add(mesh, key, promise)) return made->get();
     try {
-      SurfaceHandle surface = make_surface(*mesh, rule, crease_angle);
+      SurfaceHandle surface = make_surface(*mesh, key.rule, key.crease_angle);
       promise.set_value(surface);
       return surface;
     } catch (...) {
       promise.set_exception(std::current_exception());
       const std::lock_guard lock(mutex_);
-      std::erase_if(entries_, [&](const Entry& e) { return e.is(mesh, rule, crease_angle); });
+      std::erase_if(meshes_[mesh], [&](const Entry& e) { return e.key == key; });
       throw;
     }
   }
 
  private:
-  struct Entry {
-    std::weak_ptr<const Mesh> mesh;
+  struct Key {
     NormalRule rule;
     double crease_angle;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Entry {
+    Key key;
     std::shared_future<SurfaceHandle> surface;
-
-    bool is(const MeshHandle& m, NormalRule r, double a) const {
-      return !mesh.owner_before(m) && !m.owner_before(mesh) && rule == r && crease_angle == a;
-    }
   };
 
   // The surface where there is one; else an entry is added that `promise` is to fulfil.
-  std::optional<std::shared_future<SurfaceHandle>> find_or_add(const MeshHandle& mesh, NormalRule rule,
-                                                               double crease_angle,
+  std::optional<std::shared_future<SurfaceHandle>> find_or_add(const MeshHandle& mesh, const Key& key,
                                                                std::promise<SurfaceHandle>& promise) {
     const std::lock_guard lock(mutex_);
-    std::erase_if(entries_, [](const Entry& e) { return e.mesh.expired(); });
-    const auto found =
-        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.is(mesh, rule, crease_angle); });
-    if (found != entries_.end()) {
-      std::rotate(found, found + 1, entries_.end());
-      return entries_.back().surface;
+    std::vector<Entry>& entries = meshes_[mesh];  // the one used last stands last
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+    if (found != entries.end()) {
+      std::rotate(found, found + 1, entries.end());
+      return entries.back().surface;
     }
-    if (entries_.size() >= capacity_) entries_.erase(entries_.begin());
-    entries_.push_back({mesh, rule, crease_angle, promise.get_future().share()});
+    if (entries.size() >= surfaces_a_mesh_) entries.erase(entries.begin());
+    entries.push_back({key, promise.get_future().share()});
+    std::erase_if(meshes_, [](const auto& m) { return m.first.expired(); });
     return std::nullopt;
   }
 
   std::mutex mutex_;
-  std::size_t capacity_;
-  std::vector<Entry> entries_;  // the one used last stands last
+  std::size_t surfaces_a_mesh_;
+  std::map<std::weak_ptr<const Mesh>, std::vector<Entry>, std::owner_less<>> meshes_;
 };
 
 // The program's own: what it holds never changes a result, only when it is computed.

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "math/transform.h"
 #include "scene/polygon.h"
@@ -180,6 +183,78 @@ TEST(Mesh, a_spiral_is_covered_once) {
   for (int i = n - 1; i > 0; --i) spiral.emplace_back((i + 2) * std::cos(i * 0.05), (i + 2) * std::sin(i * 0.05), 0);
   if (vector_area(spiral).z < 0) std::reverse(spiral.begin(), spiral.end());
   expect_covered(spiral);
+}
+
+// Around the origin with random radii: very concave, never crossing.
+TEST(Mesh, random_stars_are_covered_once) {
+  std::mt19937 random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const int n = 3 + int(random() % 60);
+    std::vector<glm::dvec3> p;
+    for (int i = 0; i < n; ++i) {
+      const double r = 0.01 + double(random() % 1000) / 1000, angle = 2 * pi * i / n;
+      p.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+    }
+    if (n > 3) expect_covered(p);
+  }
+}
+
+// The outlines of cells of a grid joined at random into a tree: all corners in rows, most of them in the middle of
+// an edge.
+TEST(Mesh, outlines_of_random_mazes_are_covered_once) {
+  std::mt19937 random(2);
+  for (int k = 0; k < 200; ++k) {
+    const int size = 2 + int(random() % 12);
+    // Right-hand rule along a random spanning tree, drawn at twice the scale with walls of width 1.
+    std::set<std::pair<int, int>> cells{{0, 0}};
+    std::vector<std::pair<int, int>> open{{0, 0}};
+    while (!open.empty()) {
+      const std::size_t pick = random() % open.size();
+      const auto [x, y] = open[pick];
+      std::vector<std::pair<int, int>> ways;
+      for (const auto& [dx, dy] : {std::pair{2, 0}, {-2, 0}, {0, 2}, {0, -2}})
+        if (x + dx >= 0 && y + dy >= 0 && x + dx < 2 * size && y + dy < 2 * size && !cells.contains({x + dx, y + dy}))
+          ways.push_back({dx, dy});
+      if (ways.empty()) {
+        open.erase(open.begin() + long(pick));
+        continue;
+      }
+      const auto [dx, dy] = ways[random() % ways.size()];
+      cells.insert({x + dx / 2, y + dy / 2}), cells.insert({x + dx, y + dy});
+      open.push_back({x + dx, y + dy});
+    }
+    // Walk with the inside on the left, beginning along the bottom of the first cell.
+    std::vector<glm::dvec3> p;
+    int x = 0, y = 0, dx = 1, dy = 0;
+    const auto inside = [&](int u, int v) { return cells.contains({u, v}); };
+    do {
+      p.emplace_back(x, y, 0);
+      x += dx, y += dy;
+      // The cells ahead to the left and to the right of the corner that was reached.
+      const auto ahead = [&](bool left) {
+        const int sx = dx - (left ? dy : -dy), sy = dy + (left ? dx : -dx);
+        return inside(x + (sx - 1) / 2, y + (sy - 1) / 2);
+      };
+      if (ahead(false))
+        std::tie(dx, dy) = std::pair{dy, -dx};
+      else if (!ahead(true))
+        std::tie(dx, dy) = std::pair{-dy, dx};
+    } while (x != 0 || y != 0 || dx != 1 || dy != 0);
+    ASSERT_EQ(vector_area(p).z, double(cells.size()));
+    expect_covered(p);
+  }
+}
+
+// Whatever the corners: an end, and no triangle too many.
+TEST(Mesh, random_crossings_end) {
+  std::mt19937 random(3);
+  for (int k = 0; k < 2000; ++k) {
+    const std::size_t n = 4 + random() % 40;
+    std::vector<glm::dvec3> p;
+    for (std::size_t i = 0; i < n; ++i) p.emplace_back(random() % 7, random() % 7, random() % 2);
+    const MeshHandle mesh = Mesh::make(one_face(p));
+    EXPECT_LE(mesh->triangles().size(), n - 2);
+  }
 }
 
 TEST(Mesh, polygons_of_a_hundred_thousand_corners_are_covered_once) {
