@@ -78,8 +78,7 @@ def write_obj(corpus):
         add(f"good-corner-{i}", lists + f"f 1 2 {good}\n", 7)
     for n, corners in enumerate(["", "1", "1 2"]):
         add(f"face-with-{n}-corners", cube + f"f {corners}\n", ERROR)
-    for i, key in enumerate(["ff", "F", "V", "vx", "f1 2 3", "v1 0 0", "?", "\x00", "\ufeff", "/* c */", "// c", "<html>", "usemat a",
-                             "\\"]):
+    for i, key in enumerate(["ff", "F", "V", "vx", "f1 2 3", "v1 0 0", "?", "\x00", "\ufeff", "/* c */", "// c", "<html>", "usemat a"]):
         add(f"unknown-statement-{i}", cube + key + "\n", ERROR)
     for i, line in enumerate(["s off", "s 1", "l 1 2", "p 1", "vp 0 0", "cstype bezier", "curv 0 1 1 2", "mg 0", "lod 1",
                               "usemtl", "usemtl a b", "o", "g", "g a b", "mtllib", "mtllib nowhere.mtl", "# c", "   # c",
