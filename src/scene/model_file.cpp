@@ -68,11 +68,29 @@ Materials load_materials(const fs::path& folder, std::string_view names, std::ve
   return all;
 }
 
-}  // namespace
+// Says what is odd about the meshes that were made.
+void note_odd_faces(Model& model) {
+  MeshReport all;
+  std::size_t faces = 0;
+  for (const ModelPart& part : model.parts) {
+    const MeshReport& one = part.mesh->report();
+    faces += part.mesh->data().face_count();
+    all.degenerate_faces += one.degenerate_faces;
+    all.repeated_corners += one.repeated_corners;
+    all.bad_normals += one.bad_normals;
+  }
+  const auto note = [&](std::size_t n, const Words& words) {
+    if (n > 0) model.notes.push_back(phrase(words, {text_of(n), text_of(faces)}));
+  };
+  note(all.degenerate_faces,
+       {"{0} of {1} faces have no area: nothing of them is drawn", "面{1}個のうち{0}個は面積がなく、何も描かれない"});
+  note(all.repeated_corners, {"corners that repeat the vertex before them, taken once: {0}",
+                              "直前と同じ頂点を使う角が{0}個ある。1 つとして扱う"});
+  note(all.bad_normals, {"normals without a length: {0}", "長さのない法線が{0}個ある"});
+}
 
-Model read_model(const fs::path& file) {
-  const std::string where = readable(file.string());
-  const std::string bytes = read_file(file, max_model_bytes);
+// `where` is the file's name in messages.
+Model read_known(const fs::path& file, const std::string& where, const std::string& bytes) {
   std::string extension = extension_of(file);
   if (extension != ".obj" && extension != ".ply" && extension != ".off" && extension != ".stl")
     extension = extension_from(bytes);
@@ -85,6 +103,14 @@ Model read_model(const fs::path& file) {
     });
   throw InputError(where, {"not a model file that is known", "知らない種類のモデルファイル"},
                    {"OBJ, PLY, OFF and STL are read", "OBJ, PLY, OFF, STL なら読める"}, 0, 0);
+}
+
+}  // namespace
+
+Model read_model(const fs::path& file) {
+  Model model = read_known(file, readable(file.string()), read_file(file, max_model_bytes));
+  note_odd_faces(model);
+  return model;
 }
 
 }  // namespace cg

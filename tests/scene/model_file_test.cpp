@@ -29,6 +29,18 @@ TEST(ReadModel, TheExtensionDecidesThenTheFirstBytes) {
   EXPECT_THROW(read_model(folder / "folder.obj"), InputError);
 }
 
+// Every face is kept; those of which nothing is drawn are counted.
+TEST(ReadModel, OddFacesAreNoted) {
+  TestFolder folder;
+  const Model model =
+      read_model(folder.write("a.obj", triangle + "v 2 0 0\nvn 0 0 0\nf 1 2 4\nf 1//1 2//1 2//1 3//1\nf 1 1 1\n"));
+  EXPECT_EQ(face_count(model), 4u);
+  EXPECT_EQ(notes_of(model),
+            "2 of 4 faces have no area: nothing of them is drawn\n"
+            "corners that repeat the vertex before them, taken once: 3\n"
+            "normals without a length: 1\n");
+}
+
 TEST(ReadModel, MaterialFilesOfTheFolderAndBelow) {
   TestFolder folder;
   folder.write("red.mtl", red);
