@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "raster/interpolation.h"
+#include "shading/light_batch.h"
 
 namespace cg {
 
@@ -12,28 +13,32 @@ constexpr int rows_a_part = 8;
 constexpr std::size_t vertices_a_part = 4096;
 constexpr std::uint8_t front_bit = 1, back_bit = 2;
 
-// Rows of the picture as parts; f(object, id, top row y, first x, last x excluded) for each run of pixels of a row
-// that show the same triangle.
+int row_parts(const VisibilityBuffer& visibility) { return (visibility.height + rows_a_part - 1) / rows_a_part; }
+
+// run(object, id, row y, first x, last x excluded) for each run of pixels in a row that show the same triangle.
+template <class Run>
+void for_each_run_of_part(const Drawing& drawing, const VisibilityBuffer& visibility, int part, const Run& run) {
+  std::size_t object = 0;
+  const int bottom = std::min((part + 1) * rows_a_part, visibility.height);
+  for (int y = part * rows_a_part; y < bottom; ++y) {
+    const std::uint32_t* triangle = &visibility.triangle[visibility.row(y)];
+    for (int x = 0; x < visibility.width;) {
+      const std::uint32_t id = triangle[x];
+      int end = x + 1;
+      while (end < visibility.width && triangle[end] == id) ++end;
+      if (id != no_triangle) {
+        const DrawnObject& o = drawing.objects[object];
+        if (id < o.first || id >= o.end) object = drawing.object_of(id);
+        run(object, id, y, x, end);
+      }
+      x = end;
+    }
+  }
+}
+
 template <class Run>
 void for_each_run(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers, const Run& run) {
-  workers.for_each((visibility.height + rows_a_part - 1) / rows_a_part, [&](int part) {
-    std::size_t object = 0;
-    const int bottom = std::min((part + 1) * rows_a_part, visibility.height);
-    for (int y = part * rows_a_part; y < bottom; ++y) {
-      const std::uint32_t* triangle = &visibility.triangle[visibility.row(y)];
-      for (int x = 0; x < visibility.width;) {
-        const std::uint32_t id = triangle[x];
-        int end = x + 1;
-        while (end < visibility.width && triangle[end] == id) ++end;
-        if (id != no_triangle) {
-          const DrawnObject& o = drawing.objects[object];
-          if (id < o.first || id >= o.end) object = drawing.object_of(id);
-          run(object, id, y, x, end);
-        }
-        x = end;
-      }
-    }
-  });
+  workers.for_each(row_parts(visibility), [&](int part) { for_each_run_of_part(drawing, visibility, part, run); });
 }
 
 void mark(std::uint8_t& bits, std::uint8_t bit) {
@@ -75,9 +80,44 @@ Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec
 template <class Real>
 std::size_t write(glm::vec3& pixel, const Vec3<Real>& colour) {
   const glm::vec3 c(colour);
-  pixel = is_finite(c) ? c : glm::vec3(0);
-  return is_finite(c) ? 0 : 1;
+  const bool finite = std::abs(c.x) + std::abs(c.y) + std::abs(c.z) <= std::numeric_limits<float>::max();
+  pixel = finite ? c : glm::vec3(0);
+  return finite ? 0 : 1;
 }
+
+// Points that wait until eight can be lit at once. `done(which, colour)` takes each.
+template <class Real, class Which, class Done>
+class LightQueue {
+ public:
+  LightQueue(const EyeLighting<Real>& lighting, Done done) : lighting_(lighting), done_(done) {}
+
+  // N is brought to unit length where the surface's normals are.
+  void add(const ObjectShading<Real>& surface, const Vec3<Real>& P, const Vec3<Real>& N, Which which) {
+    if (&surface != surface_) flush();
+    surface_ = &surface;
+    P_.set(count_, P), N_.set(count_, N);
+    which_[count_++] = which;
+    if (count_ == batch_size) flush();
+  }
+
+  void flush() {
+    if (count_ == 0) return;
+    for (int i = count_; i < batch_size; ++i) P_.set(i, P_.get(0)), N_.set(i, N_.get(0));
+    if (surface_->normals.normalize) units(N_);
+    EightVectors<Real> I;
+    light_points(lighting_, surface_->material, P_, N_, I);
+    for (int i = 0; i < count_; ++i) done_(which_[i], I.get(i));
+    count_ = 0;
+  }
+
+ private:
+  const EyeLighting<Real>& lighting_;
+  Done done_;
+  const ObjectShading<Real>* surface_ = nullptr;
+  EightVectors<Real> P_, N_;
+  Which which_[batch_size];
+  int count_ = 0;
+};
 
 }  // namespace
 
@@ -112,6 +152,8 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
     const Mat4<Real> to_eye(object.to_eye);
     workers.for_each(part_count(count, vertices_a_part), [&](int i) {
       const Part part = part_of(count, vertices_a_part, i);
+      const auto store = [](Vec3<Real>* colour, const Vec3<Real>& I) { *colour = I; };
+      LightQueue<Real, Vec3<Real>*, decltype(store)> queue(shading.lighting, store);
       for (std::size_t k = part.begin; k < part.end; ++k) {
         if (v.visible[k] == 0) continue;
         const Vec3<Real> P(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
@@ -119,47 +161,72 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
         if (phong) {
           v.P[k] = P, v.N[k] = N;
         } else {
-          if (v.visible[k] & front_bit) v.front[k] = light_point(shading.lighting, s.material, P, N);
-          if (v.visible[k] & back_bit) v.back[k] = light_point(shading.lighting, s.material, P, -N);
+          if (v.visible[k] & front_bit) queue.add(s, P, N, &v.front[k]);
+          if (v.visible[k] & back_bit) queue.add(s, P, -N, &v.back[k]);
         }
       }
+      queue.flush();
     });
   }
+}
+
+// Flat and Gouraud shading: the vertices' colours, spread over the runs of one part of the picture. Returns how many
+// pixels were not finite.
+template <class Real>
+std::size_t spread_colours(const Drawing& drawing, const VisibilityBuffer& visibility,
+                           const DeferredShading<Real>& shading, int part, Frame& frame) {
+  std::size_t bad = 0;
+  for_each_run_of_part(drawing, visibility, part, [&](std::size_t o, std::uint32_t id, int y, int begin, int end) {
+    const DrawnObject& object = drawing.objects[o];
+    const ShadedVertices<Real>& v = shading.objects[o].vertices;
+    const std::uint32_t* i = &object.surface->indices[3 * std::size_t(object.source(id))];
+    const auto window = object.window(id);
+    const auto& colours = shading.lighting.two_sided && !is_front_face(window) ? v.back : v.front;
+    glm::vec3* pixels = frame.colour.row(y);
+    if (shading.mode == ShadingMode::flat) {
+      for (int x = begin; x < end; ++x) bad += write(pixels[x], colours[i[2]]);
+      return;
+    }
+    const TrianglePixels<Real> triangle(object, id, window);
+    const Vec3<Real> a = colours[i[0]], b = colours[i[1]], c = colours[i[2]];
+    for (int x = begin; x < end; ++x)
+      bad += write(pixels[x], interpolate(triangle.weights(x, visibility.height - 1 - y), a, b, c));
+  });
+  return bad;
+}
+
+// Phong shading: point and normal interpolated, and the light model at each pixel.
+template <class Real>
+std::size_t light_pixels(const Drawing& drawing, const VisibilityBuffer& visibility,
+                         const DeferredShading<Real>& shading, int part, Frame& frame) {
+  std::size_t bad = 0;
+  const auto store = [&](glm::vec3* pixel, const Vec3<Real>& I) { bad += write(*pixel, I); };
+  LightQueue<Real, glm::vec3*, decltype(store)> queue(shading.lighting, store);
+  for_each_run_of_part(drawing, visibility, part, [&](std::size_t o, std::uint32_t id, int y, int begin, int end) {
+    const DrawnObject& object = drawing.objects[o];
+    const ShadedVertices<Real>& v = shading.objects[o].vertices;
+    const std::uint32_t* i = &object.surface->indices[3 * std::size_t(object.source(id))];
+    const auto window = object.window(id);
+    const TrianglePixels<Real> triangle(object, id, window);
+    const Real side = shading.lighting.two_sided && !is_front_face(window) ? Real(-1) : Real(1);
+    const Vec3<Real> N0 = side * v.N[i[0]], N1 = side * v.N[i[1]], N2 = side * v.N[i[2]];
+    const Vec3<Real> P0 = v.P[i[0]], P1 = v.P[i[1]], P2 = v.P[i[2]];
+    for (int x = begin; x < end; ++x) {
+      const Vec3<Real> w = triangle.weights(x, visibility.height - 1 - y);
+      queue.add(shading.objects[o], interpolate(w, P0, P1, P2), interpolate(w, N0, N1, N2), &frame.colour.at(x, y));
+    }
+  });
+  queue.flush();
+  return bad;
 }
 
 template <class Real>
 void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, const DeferredShading<Real>& shading,
                   Workers& workers, Frame& frame) {
   std::atomic<std::size_t> nan_pixels{0};
-  for_each_run(drawing, visibility, workers, [&](std::size_t o, std::uint32_t id, int y, int begin, int end) {
-    const DrawnObject& object = drawing.objects[o];
-    const ObjectShading<Real>& s = shading.objects[o];
-    const ShadedVertices<Real>& v = s.vertices;
-    const std::uint32_t* i = &object.surface->indices[3 * std::size_t(object.source(id))];
-    const auto window = object.window(id);
-    const bool back = shading.lighting.two_sided && !is_front_face(window);
-    glm::vec3* pixels = frame.colour.row(y);
-    const int y_up = visibility.height - 1 - y;
-    std::size_t bad = 0;
-    if (shading.mode == ShadingMode::flat) {
-      const Vec3<Real> colour = (back ? v.back : v.front)[i[2]];
-      for (int x = begin; x < end; ++x) bad += write(pixels[x], colour);
-    } else if (shading.mode == ShadingMode::gouraud) {
-      const TrianglePixels<Real> triangle(object, id, window);
-      const auto& colours = back ? v.back : v.front;
-      const Vec3<Real> a = colours[i[0]], b = colours[i[1]], c = colours[i[2]];
-      for (int x = begin; x < end; ++x) bad += write(pixels[x], interpolate(triangle.weights(x, y_up), a, b, c));
-    } else {
-      const TrianglePixels<Real> triangle(object, id, window);
-      for (int x = begin; x < end; ++x) {
-        const Vec3<Real> w = triangle.weights(x, y_up);
-        const Vec3<Real> P = interpolate(w, v.P[i[0]], v.P[i[1]], v.P[i[2]]);
-        Vec3<Real> N = interpolate(w, v.N[i[0]], v.N[i[1]], v.N[i[2]]);
-        if (s.normals.normalize) N = unit(N);
-        bad += write(pixels[x], light_point(shading.lighting, s.material, P, back ? -N : N));
-      }
-    }
-    if (bad > 0) nan_pixels.fetch_add(bad, std::memory_order_relaxed);
+  workers.for_each(row_parts(visibility), [&](int part) {
+    nan_pixels += shading.mode == ShadingMode::phong ? light_pixels(drawing, visibility, shading, part, frame)
+                                                     : spread_colours(drawing, visibility, shading, part, frame);
   });
   frame.nan_pixels = nan_pixels.load();
 }

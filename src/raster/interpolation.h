@@ -21,22 +21,20 @@ class TriangleWeights {
     x_ = x0 - Real(0.5), y_ = y0 - Real(0.5);
     b_dx_ = y2 * s, b_dy_ = -x2 * s;
     c_dx_ = -y1 * s, c_dy_ = x1 * s;
-    // Relative to the first vertex's, as only the ratio counts and 1/w may be as small as 1e-38.
-    w_b_ = Real(v[1]->w_inverse) / Real(v[0]->w_inverse);
-    w_c_ = Real(v[2]->w_inverse) / Real(v[0]->w_inverse);
+    w_a_ = Real(v[0]->w_inverse), w_b_ = Real(v[1]->w_inverse), w_c_ = Real(v[2]->w_inverse);
   }
 
   // (x, y): the pixel, y counted from the bottom.
   Vec3<Real> at(int x, int y) const {
     const Real px = Real(x) - x_, py = Real(y) - y_;
     const Real b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
-    const Real bw = b * w_b_, cw = c * w_c_;
-    const Real s = Real(1) / ((Real(1) - b - c) + bw + cw);
-    return {Real(1) - (bw + cw) * s, bw * s, cw * s};
+    const Real aw = (Real(1) - b - c) * w_a_, bw = b * w_b_, cw = c * w_c_;
+    const Real s = Real(1) / (aw + bw + cw);
+    return {aw * s, bw * s, cw * s};
   }
 
  private:
-  Real x_ = 0, y_ = 0, b_dx_ = 0, b_dy_ = 0, c_dx_ = 0, c_dy_ = 0, w_b_ = 1, w_c_ = 1;
+  Real x_ = 0, y_ = 0, b_dx_ = 0, b_dy_ = 0, c_dx_ = 0, c_dy_ = 0, w_a_ = 1, w_b_ = 1, w_c_ = 1;
 };
 
 // Is the front face seen: counter-clockwise in the window (glFrontFace( GL_CCW )).

@@ -1,7 +1,10 @@
 // Shares the parts of a pass among threads, and asks between them whether the work was cancelled.
 #pragma once
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 #include "scene/frame.h"
 
@@ -11,7 +14,8 @@ class Workers {
  public:
   // `threads` as in View; less than 1 counts as 1.
   Workers(int threads, Progress& progress) : threads_(threads > 1 ? threads : 1), progress_(progress) {
-    if (threads_ > 1) arena_.initialize(threads_);
+    // More than the machine has would only make oneTBB complain.
+    if (threads_ > 1) arena_.initialize(std::min(threads_, tbb::info::default_concurrency()));
   }
 
   int threads() const { return threads_; }
