@@ -74,7 +74,8 @@ Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& vi
   const std::vector<DrawItem> items = draw_list(scene, view);
   const EyeLighting<double> lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
   const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
-  for (const DrawItem& item : items) buffers_.get(item.surface);
+  const bool normalize = scene.shading.normal_length == NormalLength::normalize;
+  for (const DrawItem& item : items) buffers_.get(item.surface, normalize);
   throw_if_cancelled(progress);
 
   target_.bind(view.width, view.height, {});
@@ -108,7 +109,7 @@ void FixedRenderer::draw_lit(const DrawItem& item, const Scene& scene, const Eye
   send_lights(scene, lighting, unit);
   send_material(*item.material, scene.shading.color_material, lighting);
   load_matrices(projection_in_unit(projection, unit), modelview_in_unit(item.surface_to_eye, unit));
-  const GpuSurface& surface = buffers_.get(item.surface);
+  const GpuSurface& surface = buffers_.get(item.surface, scene.shading.normal_length == NormalLength::normalize);
   bind_positions(surface);
   glEnableClientState(GL_NORMAL_ARRAY);
   glNormalPointer(GL_FLOAT, 0, surface.normal_offset());
@@ -146,10 +147,11 @@ void FixedRenderer::draw_normals(const Scene& scene, const std::vector<DrawItem>
     colours.reserve(item.surface->normals.size());
     for (const glm::vec3& n : item.surface->normals) colours.push_back(normals * n);
     load_matrices(projection, item.surface_to_eye);
-    bind_positions(buffers_.get(item.surface));
+    const GpuSurface& surface = buffers_.get(item.surface, scene.shading.normal_length == NormalLength::normalize);
+    bind_positions(surface);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glColorPointer(3, GL_FLOAT, 0, colours.data());
-    buffers_.get(item.surface).draw();
+    surface.draw();
   }
   glDisableClientState(GL_COLOR_ARRAY);
   unbind();

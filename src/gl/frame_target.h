@@ -32,7 +32,8 @@ class FrameTarget {
   void read_colour(Frame& frame) const;
   void read_depth(Frame& frame) const;  // and Frame::covered
   void read_normals(Frame& frame, int attachment) const;
-  std::vector<glm::ivec2> read_ids(int attachment) const;  // rows from the bottom
+  // Rows from the bottom.
+  std::vector<glm::ivec2> read_ids(int attachment) const;
   std::vector<glm::vec4> read_floats(int attachment) const;
 
   int width() const { return width_; }

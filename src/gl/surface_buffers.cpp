@@ -8,8 +8,21 @@ void GpuSurface::draw() const {
   glDrawElements(GL_TRIANGLES, GLsizei(surface->indices.size()), GL_UNSIGNED_INT, nullptr);
 }
 
-const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface) {
-  GpuSurface& s = buffers_[surface.get()];
+namespace {
+
+std::vector<glm::vec3> normals_within_float(std::vector<glm::vec3> normals) {
+  for (glm::vec3& n : normals) {
+    const float square = glm::dot(n, n);
+    if (!(square > 1e-20f && square < 1e20f)) n = unit(n);
+  }
+  return normals;
+}
+
+}  // namespace
+
+const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface, bool within_float) {
+  const auto key = std::pair(surface.get(), within_float);
+  GpuSurface& s = buffers_[key];
   s.last_used = frame_;
   if (s.surface) return s;
   s.surface = surface;
@@ -23,7 +36,10 @@ const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface) {
   glBindBuffer(GL_ARRAY_BUFFER, s.vertices);
   glBufferData(GL_ARRAY_BUFFER, 2 * half, nullptr, GL_STATIC_DRAW);
   glBufferSubData(GL_ARRAY_BUFFER, 0, half, surface->positions.data());
-  glBufferSubData(GL_ARRAY_BUFFER, half, half, surface->normals.data());
+  if (within_float)
+    glBufferSubData(GL_ARRAY_BUFFER, half, half, normals_within_float(surface->normals).data());
+  else
+    glBufferSubData(GL_ARRAY_BUFFER, half, half, surface->normals.data());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(surface->indices.size() * sizeof(std::uint32_t)),
                surface->indices.data(), GL_STATIC_DRAW);
@@ -38,7 +54,7 @@ const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface) {
     check_gl("vertex upload");
   } catch (...) {
     release(s);
-    buffers_.erase(surface.get());
+    buffers_.erase(key);
     throw;
   }
   return s;

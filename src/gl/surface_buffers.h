@@ -25,8 +25,10 @@ struct GpuSurface {
 class SurfaceBuffers {
  public:
   explicit SurfaceBuffers(bool arrays) : arrays_(arrays) {}
-  // Uploads at the first call. Throws InputError where OpenGL's memory does not suffice.
-  const GpuSurface& get(const SurfaceHandle& surface);
+  // Uploads at the first call. `within_float`: normals whose squares leave float's range are made unit first, for a
+  // GL_NORMALIZE that would lose them (it gives 0 for a length of 1e-20 or 1e25 on Mesa).
+  // Throws InputError where OpenGL's memory does not suffice.
+  const GpuSurface& get(const SurfaceHandle& surface, bool within_float = false);
   // To be called once a frame: frees what the last 8 frames did not use.
   void end_frame();
   void clear();
@@ -36,7 +38,8 @@ class SurfaceBuffers {
   static void release(GpuSurface& s);
   bool arrays_;
   long frame_ = 0;
-  std::map<const Surface*, GpuSurface> buffers_;  // each keeps its surface, so that no address is used twice
+  std::map<std::pair<const Surface*, bool>, GpuSurface>
+      buffers_;  // each keeps its surface, so that no address is used twice
 };
 
 // position attribute = 0, normal = 1, in every program of ours

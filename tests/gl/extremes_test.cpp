@@ -171,6 +171,24 @@ TEST_P(Extremes, Cones) { check(cones()); }
 TEST_P(Extremes, Surfaces) { check(surfaces()); }
 TEST_P(Extremes, ColoursAndExponents) { check(colours_and_exponents()); }
 
+// A file's own normals of any length, under GL_NORMALIZE; a normal of length 0 gets no diffuse and no specular light.
+TEST_P(Extremes, LengthsOfAFilesNormals) {
+  MeshData data = sphere_mesh()->data();
+  const double lengths[] = {1, 1e-20, 1e20, 1e-30, 3e30, 0};
+  for (std::size_t i = 0; i < data.positions.size(); ++i) data.normals.push_back(data.positions[i] * lengths[i % 6]);
+  for (Corner& c : data.corners) c.normal = c.position;
+  const std::vector<Technique> techniques = gl_techniques();
+  const Technique& t = find(techniques, GetParam());
+  Scene scene = scene_with(Mesh::make(std::move(data)));
+  const View view = view_of(64, 64, true);
+  const Frame frame = draw(t, scene, view);
+  EXPECT_EQ(frame.nan_pixels, 0u);
+  EXPECT_LT(against_reference(scene, frame).largest, tolerance);
+  bool noted = false;
+  for (const Text& note : t.plan(scene, view).notes) noted = noted || note.en.find("no normal") != std::string::npos;
+  EXPECT_TRUE(noted);
+}
+
 TEST_P(Extremes, WhatIsInfiniteBecomesZeroAndIsCounted) {
   Scene scene = scene_with(sphere_mesh());
   scene.shading.clamp = false;
