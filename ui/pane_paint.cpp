@@ -38,6 +38,9 @@ std::string rounded(double v, int places) {
   return text;
 }
 
+// A small number of a legend.
+std::string two_digits(double v) { return rounded(v, v == 0 || v >= 10 ? 0 : v >= 1 ? 1 : v >= 0.1 ? 2 : 3); }
+
 std::string milliseconds(double ms) {
   if (!(ms > 0)) return "–";
   return rounded(ms, ms < 100 ? 1 : 0) + " ms  " + rounded(1000 / ms, ms > 100 ? 1 : 0) + " fps";
@@ -134,9 +137,7 @@ void Panes::paint_wipe(App& app, const Place& place) {
     (side == 0 ? half.high.x : half.low.x) = edge;
     paint_message(app, side, half);
   }
-  const float width = place.high.x - place.low.x;
-  paint_footer(app, 0, {place.low.x, place.high.y + app.look.px(6)}, width * 0.5f);
-  paint_footer(app, 1, {place.low.x + width * 0.5f, place.high.y + app.look.px(6)}, width * 0.5f);
+  paint_both_footers(app, place);
 }
 
 void Panes::paint_flip(App& app, const Place& place) {
@@ -175,9 +176,7 @@ void Panes::paint_difference(App& app, const Place& place) {
   for (int side = 0; side < 2; ++side) paint_message(app, side, place);
   paint_gain(app, place);
   if (app.settings.view == ViewMode::false_colour) paint_legend(app, place);
-  const float width = place.high.x - place.low.x;
-  paint_footer(app, 0, {place.low.x, place.high.y + app.look.px(6)}, width * 0.5f);
-  paint_footer(app, 1, {place.low.x + width * 0.5f, place.high.y + app.look.px(6)}, width * 0.5f);
+  paint_both_footers(app, place);
 }
 
 void Panes::paint_lines(App& app, int side, const Place& place) {
@@ -311,6 +310,14 @@ void Panes::paint_footer(App& app, int side, ImVec2 at, float width) {
   draw->PopClipRect();
 }
 
+// Under one picture of both techniques: half of the whole width for each.
+void Panes::paint_both_footers(App& app, const Place& place) {
+  const float gap = app.look.px(24), half = std::floor(0.5f * (area_.y - area_.x - gap)),
+              y = place.high.y + app.look.px(6);
+  paint_footer(app, 0, {area_.x, y}, half);
+  paint_footer(app, 1, {area_.y - half, y}, half);
+}
+
 void Panes::paint_name(App& app, int side, ImVec2 at, bool from_right) {
   const int technique = jobs_.pane(side).technique;
   if (technique < 0) return;
@@ -361,7 +368,7 @@ void Panes::paint_legend(App& app, const Place& place) {
   }
   const auto numbers = ramp_legend(255 / app.settings.gain);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::string text = number_text(numbers[i], 0, 5) + (i + 1 == numbers.size() ? "/255" : "");
+    const std::string text = two_digits(numbers[i]) + (i + 1 == numbers.size() ? "/255" : "");
     set_text(draw, look.fonts.small_mono,
              {at.x + w * float(i) / float(numbers.size() - 1) - (i ? look.px(8) : 0), at.y + look.px(27)},
              IM_COL32(240, 242, 248, 255), noted(app, text));

@@ -67,6 +67,7 @@ void draw_panes(App& app, ImVec2 size) {
 void Panes::draw(App& app, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (!(size.x >= 1) || !(size.y >= 1)) return;  // minimised, or squeezed to nothing
+  area_ = {at.x, at.x + size.x};
   const std::array<Place, 2> place = places(app, at, size);
   const bool single = is_single(app.settings.view);
   keep_camera(app, place[0].empty() ? 1 : double(place[0].width) / place[0].height);
@@ -77,8 +78,10 @@ void Panes::draw(App& app, ImVec2 size) {
                shapes);
   app.gesture = gesture_.kind != Gesture::none;
   last_camera_ = app.scene.camera;
+  const auto start = std::chrono::steady_clock::now();
   submit(app, place[0]);
   take_pictures(app);
+  exchange_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report(app);
 
   Place seen = place[0];

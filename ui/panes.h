@@ -19,6 +19,8 @@ class Panes {
   const PaneJobs& jobs() const { return jobs_; }
   // The drawings whose pixels are on the textures now.
   const DrawingHandle& on_screen(int side) const { return on_screen_[std::size_t(side)]; }
+  // How long the last frame took to give work to the techniques and to take their pictures.
+  double exchange_ms() const { return exchange_ms_; }
 
  private:
   struct LineCall {  // what the drawing of the lines needs when ImGui comes to it
@@ -47,6 +49,7 @@ class Panes {
   void paint_cursor(App& app, const Place& place);
   void paint_message(App& app, int side, const Place& place);
   void paint_footer(App& app, int side, ImVec2 at, float width);
+  void paint_both_footers(App& app, const Place& place);
   void paint_name(App& app, int side, ImVec2 at, bool from_right);
   void paint_gain(App& app, const Place& place);
   void paint_legend(App& app, const Place& place);
@@ -68,6 +71,8 @@ class Panes {
   int flipped_ = 0;         // the side that flip shows
   bool auto_flip_ = false;  // every 0.7 s the other
   double flipped_at_ = 0;
+  ImVec2 area_{0, 0};  // from x to x: all that the panes have
+  double exchange_ms_ = 0;
   int largest_ = 4096;  // side of a texture
 };
 

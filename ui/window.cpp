@@ -19,6 +19,7 @@
 #include "ui/frame_times.h"
 #include "ui/keeping.h"
 #include "ui/layout.h"
+#include "ui/measure.h"
 #include "ui/screenshot.h"
 #include "ui/texts.h"
 #include "workbench/environment.h"
@@ -225,13 +226,16 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   Dress dress(files);
   FrameTimes times;
   Screenshot shot(options.screenshot);
+  Measurement measurement(options.measure);
   int settling = 2;
   for (bool first = true; !glfwWindowShouldClose(surface.get()); first = false) {
     if (!first) wait_for_reason(app, settling);
     times.begin();
     dress.fit(app, options.scale > 0 ? options.scale : surface.content_scale());
     if (first) start.mark("fonts built");
+    measurement.change(app);
     draw_frame(app, surface.get());
+    measurement.drawn(app);
     glfwGetWindowSize(surface.get(), &place.width, &place.height);
     if (options.keep_session) keep(app, place, store);
     times.end();
@@ -240,9 +244,11 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
       break;
     }
     glfwSwapBuffers(surface.get());
+    measurement.shown(app);
+    if (measurement.finished()) break;
     if (first) start.mark("first frame");
   }
-  app.panes = nullptr;  // while there is still an OpenGL context
+  measurement.print(app);
   if (options.times) times.print();
   return 0;
 }
