@@ -1,0 +1,243 @@
+#include "workbench/commands.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "image/image_file.h"
+#include "params/input_error.h"
+#include "params/numbers.h"
+#include "workbench/comparison.h"
+#include "workbench/environment.h"
+#include "workbench/open.h"
+#include "workbench/progress_line.h"
+#include "workbench/technique_list.h"
+
+namespace cg {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int largest_side = 16384;
+constexpr int most_threads = 1024;
+constexpr double usual_gain = 32;  // of the difference in a file of 8 bits: 1/255 can be seen
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+std::optional<int> whole_number(std::string_view text, int least, int most) {
+  int v = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v);
+  return error == std::errc() && end == text.data() + text.size() && v >= least && v <= most ? std::optional(v)
+                                                                                             : std::nullopt;
+}
+
+InputError bad_option(const std::string& option, const std::string& value, Text accepted) {
+  return InputError(option, {"\"" + value + "\" is not possible", "「" + value + "」は使えません"},
+                    std::move(accepted));
+}
+
+View view_of(const Arguments& a) {
+  View view;
+  if (!a.size.empty()) {
+    const std::size_t x = a.size.find('x');
+    const auto width = whole_number(a.size.substr(0, x), 1, largest_side);
+    const auto height = whole_number(x == a.size.npos ? "" : a.size.substr(x + 1), 1, largest_side);
+    if (!width || !height)
+      throw bad_option("--size", a.size,
+                       {"give width x height, each from 1 to 16384: 512x512",
+                        "幅x高さを 512x512 のように、それぞれ 1 から 16384 で指定してください"});
+    view.width = *width, view.height = *height;
+  }
+  view.threads = int(std::clamp(std::thread::hardware_concurrency(), 1u, unsigned(most_threads)));
+  if (!a.threads.empty()) {
+    const auto threads = whole_number(a.threads, 1, most_threads);
+    if (!threads)
+      throw bad_option("--threads", a.threads,
+                       {"give a whole number from 1 to 1024", "1 から 1024 の整数を指定してください"});
+    view.threads = *threads;
+  }
+  return view;
+}
+
+// A number >= 0, also as a fraction: "2/255".
+std::optional<double> limit_of(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::size_t slash = text.find('/');
+  const auto above = parse_number(text.substr(0, slash));
+  const auto below = slash == text.npos ? 1.0 : parse_number(text.substr(slash + 1));
+  if (!above || !below || !(*above >= 0) || !(*below > 0))
+    throw bad_option(option, text,
+                     {"give a number from 0: 0.01 or 2/255", "0.01 や 2/255 のように 0 以上の数を指定してください"});
+  return *above / *below;
+}
+
+Scene scene_for(const Arguments& a, Language language) {
+  if (a.scene.empty())
+    throw InputError("SCENE", {"no scene is named", "シーンの指定がありません"},
+                     {"name a model file, a shape such as teapot, or a preset",
+                      "モデルのファイル、teapot などの形、プリセットのどれかを指定してください"});
+  std::vector<Text> notes;
+  Scene scene = open_scene(a.scene, &notes);
+  for (const Text& note : notes)
+    std::fprintf(stderr, "shadebench: %s: %s\n", a.scene.c_str(), note.in(language).c_str());
+  for (const std::string& set : a.set) set_parameter(scene, set);
+  if (!a.set.empty()) load_meshes(scene);
+  return scene;
+}
+
+// The technique of that id, or else the first of `usual` that can draw the scene.
+const Technique& technique_for(const std::string& id, std::initializer_list<std::string_view> usual,
+                               std::span<const Technique> all, const Scene& scene) {
+  const Technique* technique = id.empty() ? first_able(all, scene, usual) : nullptr;
+  if (!technique) technique = &find_technique(all, id.empty() ? *(usual.end() - 1) : std::string_view(id));
+  require(*technique, scene);
+  return *technique;
+}
+
+std::string label_of(const Technique& technique, Language language) { return std::string(technique.name.in(language)); }
+
+void tell_notes(const Plan& plan, Language language) {
+  for (const Text& note : plan.notes)
+    std::fprintf(stderr, "shadebench: %s: %s\n", plan.technique.c_str(), note.in(language).c_str());
+}
+
+// Where NaN or infinity was replaced by 0.
+void tell_nan(const std::string& technique, const Frame& frame, Language language) {
+  if (frame.nan_pixels == 0) return;
+  const std::string n = std::to_string(frame.nan_pixels);
+  const Text text{n + " pixels were not finite and are black", n + " 画素が有限の値にならず、黒にしました"};
+  std::fprintf(stderr, "shadebench: %s: %s\n", technique.c_str(), text.in(language).c_str());
+}
+
+bool keeps_floats(const fs::path& file) {
+  const std::string type = file.extension().string();
+  return type == ".exr" || type == ".EXR" || type == ".hdr" || type == ".HDR";
+}
+
+// |a - b|: as it is where the file holds floats, else times the gain.
+void write_difference(const fs::path& file, const Comparison& c, double gain) {
+  if (!keeps_floats(file)) return write_image(file, absolute_picture(c.difference, gain));
+  ColourImage error = c.difference.error;
+  for (glm::vec3& pixel : error.pixels()) pixel = glm::abs(pixel);
+  write_image(file, error, Display{});
+}
+
+Tree json_of(const Plan& plan, const Arguments& a, const View& view) {
+  Tree::List passes, notes;
+  for (const Pass& pass : plan.passes)
+    passes.push_back(Tree::Members{{"id", pass.id},
+                                   {"name", pass.name.en},
+                                   {"needed", pass.needed},
+                                   {"reason", pass.reason.en},
+                                   {"bytes", pass.bytes}});
+  for (const Text& note : plan.notes) notes.emplace_back(note.en);
+  return Tree::Members{{"scene", a.scene},      {"technique", plan.technique}, {"width", view.width},
+                       {"height", view.height}, {"passes", std::move(passes)}, {"notes", std::move(notes)}};
+}
+
+std::string size_text(std::size_t bytes) {
+  if (bytes < 1024) return std::to_string(bytes) + " B";
+  if (bytes < std::size_t(10) << 20) return std::to_string((bytes + 512) >> 10) + " KiB";
+  return std::to_string((bytes + (std::size_t(1) << 19)) >> 20) + " MiB";
+}
+
+std::string text_of(const Plan& plan, const std::string& scene, const View& view, Language language) {
+  std::string out =
+      plan.technique + ": " + scene + ", " + std::to_string(view.width) + "×" + std::to_string(view.height) + "\n";
+  std::size_t all = 0;
+  for (const Pass& pass : plan.passes) {
+    out += std::string(pass.needed ? "  + " : "  - ") + std::string(pass.name.in(language));
+    if (pass.needed && pass.bytes > 0) out += " (" + size_text(pass.bytes) + ")";
+    out += ": " + pass.reason.in(language) + "\n";
+    all += pass.bytes;
+  }
+  out += "  = " + size_text(all) + "\n";
+  for (const Text& note : plan.notes) out += "  ! " + note.in(language) + "\n";
+  return out;
+}
+
+}  // namespace
+
+int run_render(const Arguments& a, std::span<const Technique> techniques, Language language) {
+  const View view = view_of(a);
+  if (a.output.empty())
+    throw InputError("-o", {"no file is named", "保存先の指定がありません"},
+                     {"name a picture: -o picture.png", "-o picture.png のように指定してください"});
+  const Scene scene = scene_for(a, language);
+  const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
+  const Plan plan = technique.plan(scene, view);
+  tell_notes(plan, language);
+  Progress progress;
+  Frame frame;
+  {
+    const ProgressLine line(progress, label_of(technique, language));
+    frame = technique.render(scene, plan, view, progress);
+  }
+  tell_nan(technique.id, frame, language);
+  write_image(a.output, frame.colour, scene.display);
+  return 0;
+}
+
+namespace {
+
+Comparison compare_as_asked(const Arguments& a, std::span<const Technique> techniques, const Scene& scene,
+                            Language language) {
+  const View view = view_of(a);
+  const Technique& left = technique_for(a.left, {"gl-fixed", "gl"}, techniques, scene);
+  const Technique& right = technique_for(a.right, {"software"}, techniques, scene);
+  for (const Technique* technique : {&left, &right}) tell_notes(technique->plan(scene, view), language);
+  Progress progress;
+  const ProgressLine line(progress, left.id + ", " + right.id);
+  Comparison comparison = compare(left, right, scene, view, progress);
+  tell_nan(left.id, comparison.left_frame.frame, language);
+  tell_nan(right.id, comparison.right_frame.frame, language);
+  return comparison;
+}
+
+}  // namespace
+
+int run_compare(const Arguments& a, std::span<const Technique> techniques, Language language) {
+  const auto limit = limit_of("--max-error", a.max_error);
+  const double gain = limit_of("--gain", a.gain).value_or(usual_gain);
+  const Comparison comparison = compare_as_asked(a, techniques, scene_for(a, language), language);
+  if (!a.output.empty()) write_difference(a.output, comparison, gain);
+  print(a.json ? to_json(json_of(comparison)) + "\n" : text_of(comparison, language));
+  if (!limit || comparison.difference.max_error <= *limit) return 0;
+  const std::string over = number_text(comparison.difference.max_error) + " > " + a.max_error;
+  const Text text{"the largest error is over --max-error: " + over, "最大誤差が --max-error を超えました：" + over};
+  std::fprintf(stderr, "shadebench: %s\n", text.in(language).c_str());
+  return 1;
+}
+
+int run_plan(const Arguments& a, std::span<const Technique> techniques, Language language) {
+  const View view = view_of(a);
+  const Scene scene = scene_for(a, language);
+  const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
+  const Plan plan = technique.plan(scene, view);
+  print(a.json ? to_json(json_of(plan, a, view)) + "\n" : text_of(plan, a.scene, view, language));
+  return 0;
+}
+
+int run_without_display(const Arguments& a, std::span<const Technique> techniques, Language language) {
+  const Scene scene = scene_for(a, language);
+  const Comparison comparison = compare_as_asked(a, techniques, scene, language);
+  std::error_code error;
+  fs::path folder = cache_folder().value_or("");
+  if (folder.empty() || (fs::create_directories(folder, error), error)) folder = fs::temp_directory_path();
+  const fs::path left = folder / (comparison.left + ".png"), right = folder / (comparison.right + ".png"),
+                 both = folder / "difference.png";
+  write_image(left, comparison.left_frame.frame.colour, scene.display);
+  write_image(right, comparison.right_frame.frame.colour, scene.display);
+  write_difference(both, comparison, usual_gain);
+  print(std::string(Words{"There is no display, so no window: ", "ディスプレイがないため、ウィンドウは開きません："}.in(
+            language)) +
+        a.scene + "\n" + text_of(comparison, language));
+  for (const fs::path& file : {left, right, both}) print("  " + file.string() + "\n");
+  return 0;
+}
+
+}  // namespace cg
