@@ -84,6 +84,7 @@ Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& vi
   target_.clear(glm::vec3(scene.display.background));
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  glDisableClientState(GL_COLOR_ARRAY);  // where the frame before was not finished
   send_light_model(scene.shading, plan.runs("two-sides"), plan.runs("local-viewer"));
   std::size_t drawn = 0;
   for (const DrawItem& item : items) {

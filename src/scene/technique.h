@@ -13,7 +13,8 @@ namespace cg {
 struct Technique {
   std::string id;  // gl-fixed, gl, software, whitted, path, photon
   Words name;
-  // Why it cannot work here at all (no legacy context), if so.
+  // Why it cannot work here at all (no legacy context), if that is known. OpenGL finds out when it first draws:
+  // from then on `unsupported` says it for every scene.
   std::optional<Text> unavailable;
   // Why it cannot draw this scene (the fixed function has no Phong shading), if so.
   std::function<std::optional<Text>(const Scene&)> unsupported;

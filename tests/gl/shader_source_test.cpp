@@ -117,5 +117,22 @@ TEST(GlPlan, EveryPassHasAReasonInBothLanguages) {
     }
 }
 
+TEST(GlPlan, SaysWhichLimitsAreMet) {
+  const auto notes = [](auto change) {
+    Scene scene = scene_with(sphere_mesh());
+    change(scene);
+    return gl_fixed_plan(scene, View{}).notes.size();
+  };
+  EXPECT_EQ(notes([](Scene&) {}), 0u);
+  EXPECT_EQ(notes([](Scene& s) { s.lights.resize(9, s.lights[0]); }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.material.n = 129; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.material.n = 0; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.lights[0].k_0 = 0; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.lights[0].position = {0, 0, 1e20}; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.lights[0].w = 1e-30, s.lights[0].position = {1, 1, 1}; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.objects[0].transform.scale.z = 0; }), 1u);
+  EXPECT_EQ(notes([](Scene& s) { s.material.k_r = {1, 1, 1}; }), 1u);
+}
+
 }  // namespace
 }  // namespace cg
