@@ -236,7 +236,8 @@ void resolve_geometry(const Scene& scene, const Drawing& drawing, const Visibili
   workers.for_each(visibility.height, [&](int y) {
     const float* depth = &visibility.depth[visibility.row(y)];
     const std::uint32_t* triangle = &visibility.triangle[visibility.row(y)];
-    std::copy(depth, depth + visibility.width, frame.depth.row(y));
+    float* out = frame.depth.row(y);
+    for (int x = 0; x < visibility.width; ++x) out[x] = saturate(depth[x]);  // a sliver's plane may overshoot
     std::uint8_t* covered = frame.covered.row(y);
     for (int x = 0; x < visibility.width; ++x) covered[x] = triangle[x] != no_triangle;
   });

@@ -58,7 +58,7 @@ inline void add_light(const EyeLight<Real>& light, Reflection reflection, const 
     for (int i = 0; i < batch_size; ++i) {
       const Real c =
           -(Lx[i] * light.spot_direction.x + Ly[i] * light.spot_direction.y + Lz[i] * light.spot_direction.z);
-      const bool inside = (c >= light.spot_cosine) & (c > Real(0));
+      const bool inside = c >= light.spot_cosine && c > Real(0);
       const Real spot = power(c < Real(1) ? c : Real(1), light.spot_exponent);
       factor[i] = inside ? factor[i] * spot : Real(0);
     }
@@ -86,7 +86,7 @@ inline void add_light(const EyeLight<Real>& light, Reflection reflection, const 
   for (int i = 0; i < batch_size; ++i) {
     odd += !(lobe[i] < Real(2));
     const Real p = power(lobe[i], m.n);
-    const bool lit = (n_dot_l[i] > Real(0)) & ((lobe[i] > Real(0)) | (m.n == Real(0)));
+    const bool lit = n_dot_l[i] > Real(0) && (lobe[i] > Real(0) || m.n == Real(0));
     lobe[i] = lit ? p : Real(0);
   }
   const Vec3<Real> a = light.ambient * m.k_a, d = light.diffuse * m.k_d, s = light.specular * m.k_s;
@@ -94,6 +94,7 @@ inline void add_light(const EyeLight<Real>& light, Reflection reflection, const 
     I.x[i] += factor[i] * (a.x + d.x * n_dot_l[i] + s.x * lobe[i]);
     I.y[i] += factor[i] * (a.y + d.y * n_dot_l[i] + s.y * lobe[i]);
     I.z[i] += factor[i] * (a.z + d.z * n_dot_l[i] + s.z * lobe[i]);
+    odd += !(std::abs(I.x[i]) + std::abs(I.y[i]) + std::abs(I.z[i]) < Real(1e29));
   }
   ordinary = ordinary && odd == 0;
 }

@@ -115,7 +115,14 @@ Vec3<Real> towards_viewer(bool local_viewer, const Vec3<Real>& P) {
   return local_viewer ? unit(-P) : Vec3<Real>(Real(0), Real(0), Real(1));
 }
 
-// The sum of the terms, clamped to 0..1 where the scene says so.
+// x limited to what sums of 64 lights keep finite; NaN (an infinite light at no share) becomes 0.
+template <class Real>
+Real limited(Real x) {
+  constexpr Real most = Real(1e30);
+  return x < most ? (x > -most ? x : -most) : (x >= most ? most : Real(0));
+}
+
+// The sum of the terms, clamped to 0..1 where the scene says so. Always finite.
 template <class Real>
 Vec3<Real> light_point(const EyeLighting<Real>& lighting, const EyeMaterial<Real>& m, const Vec3<Real>& P,
                        const Vec3<Real>& N) {
@@ -123,8 +130,9 @@ Vec3<Real> light_point(const EyeLighting<Real>& lighting, const EyeMaterial<Real
   Vec3<Real> I = m.emission + lighting.ambient * m.k_a;
   for (const EyeLight<Real>& light : lighting.lights) {
     const LightFactors<Real> f = light_factors(light, lighting.reflection, m.n, P, N, V);
-    I += f.attenuation * f.spot *
-         (light.ambient * m.k_a + light.diffuse * m.k_d * f.n_dot_l + light.specular * m.k_s * f.lobe);
+    const Vec3<Real> C = f.attenuation * f.spot *
+                         (light.ambient * m.k_a + light.diffuse * m.k_d * f.n_dot_l + light.specular * m.k_s * f.lobe);
+    I += Vec3<Real>(limited(C.x), limited(C.y), limited(C.z));
   }
   return lighting.clamp ? saturate(I) : I;
 }
