@@ -1,5 +1,6 @@
 #include "scene/model_parts.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>

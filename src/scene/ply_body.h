@@ -1,5 +1,6 @@
 // The values of a PLY body one after another, from text or from bytes, with the same functions.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
