@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t max_parts = 10'000, max_material_files = 64;
 
-// Statements that change nothing of what is drawn, and such that draw something that is not a polygon.
+// Statements that change nothing of what is drawn, and such that draw something that is not a polygon of this file.
 constexpr std::string_view ignored[] = {"s",         "mg",    "lod",   "bevel",  "c_interp", "d_interp", "shadow_obj",
                                         "trace_obj", "ctech", "stech", "usemap", "maplib",   "vp",       "cstype",
                                         "deg",       "bmat",  "step",  "parm",   "trim",     "hole",     "scrv",
-                                        "sp",        "end",   "con",   "call",   "csh"};
+                                        "sp",        "end",   "con",   "csh"};
 constexpr std::string_view not_polygons[] = {"p",   "l",   "curv", "curv2", "surf", "bsp",
-                                             "bzp", "cdc", "cdp",  "res",   "fo"};
+                                             "bzp", "cdc", "cdp",  "res",   "call"};
 
 class ObjReader {
  public:
@@ -45,7 +45,7 @@ class ObjReader {
  private:
   void statement(std::string_view key) {
     if (key == "v") return vertex();
-    if (key == "f") return face();
+    if (key == "f" || key == "fo") return face();  // fo is the older name
     if (key == "vn") return normal();
     if (key == "vt") return uv();
     if (key == "o" || key == "g") return object(key == "o");
@@ -200,8 +200,8 @@ class ObjReader {
   void add_notes() {
     if (left_out_ > 0)
       notes_.push_back(
-          phrase({"{0} lines, points or curves were left out (the first in line {1}): only faces are drawn",
-                  "線・点・曲線{0}個を省いた（最初は{1}行目）。描くのは面だけ"},
+          phrase({"{0} lines, points, curves or calls were left out (the first in line {1}): only faces are drawn",
+                  "線・点・曲線など{0}個を省いた（最初は{1}行目）。描くのは面だけ"},
                  {text_of(left_out_), text_of(first_left_out_)}));
     if (coloured_ > 0)
       notes_.push_back(

@@ -107,9 +107,10 @@ TEST(ReadObj, NamesAreReadableAndDifferent) {
 }
 
 TEST(ReadObj, WhatIsNotDrawnIsNoted) {
-  const Model model = read_bytes("obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 1\nl 1 2\np 1 2 3\nf 1 2 3\n");
+  const Model model = read_bytes("obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 1\nl 1 2\ncall other.obj\nfo 1 2 3\n");
   ASSERT_EQ(model.notes.size(), 2u);
-  EXPECT_EQ(model.notes[0].en, "2 lines, points or curves were left out (the first in line 4): only faces are drawn");
+  EXPECT_EQ(model.notes[0].en,
+            "2 lines, points, curves or calls were left out (the first in line 4): only faces are drawn");
   EXPECT_EQ(model.notes[1].en, "the colours of 2 vertices are not used");
 }
 
