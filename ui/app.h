@@ -85,6 +85,7 @@ struct App {
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
   Quantity lit = Quantity::none, lit_next = Quantity::none;
 
+  double content_scale = 1;  // of the monitor
   Editing editing;
   Dialogue dialogue;
   int picture_side = 1;  // which picture is saved: 0 left, 1 right

@@ -136,16 +136,15 @@ std::shared_ptr<const FontFiles> find_fonts() { return std::make_shared<FontFile
 
 namespace {
 
-// Pairs of inclusive ends, closed by 0. The atlas keeps the pointer, so it lives as long as the process.
-using Ranges = ImVector<ImWchar>;
+using Ranges = ImVector<ImWchar>;  // pairs of inclusive ends, closed by 0
 
 // A formula sets quantities italic and vectors, digits and signs upright: k_d (N·L).
 bool is_italic(ImWchar c) { return (c >= 'a' && c <= 'z') || c == 'I' || c == 'E' || (c >= 0x3b1 && c <= 0x3c9); }
 
 struct Builder {
-  Look& look;
+  ImFontAtlas& atlas;
+  float scale;
   const FontFiles& files;
-  Ranges &all, &maths_italic, &maths_upright;
 
   bool add(Role role, float em, const Ranges& ranges, bool merge) const {
     const auto& face = files.faces[role];
@@ -158,8 +157,8 @@ struct Builder {
     config.OversampleH = 1;
     config.PixelSnapH = true;
     config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-    const float pixels = std::clamp(em * look.scale * face->per_em, 4.0f, 400.0f);
-    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(face->data, int(face->size), pixels, &config) != nullptr;
+    const float pixels = std::clamp(em * scale * face->per_em, 4.0f, 400.0f);
+    return atlas.AddFontFromMemoryTTF(face->data, int(face->size), pixels, &config) != nullptr;
   }
 
   // The faces in turn; what one lacks, the next gives.
@@ -168,20 +167,24 @@ struct Builder {
     for (const auto& [role, ranges] : parts) any = add(role, em, *ranges, any) || any;
     if (!any) {
       ImFontConfig config;
-      config.SizePixels = std::clamp(em * look.scale, 4.0f, 400.0f);
-      ImGui::GetIO().Fonts->AddFontDefault(&config);
+      config.SizePixels = std::clamp(em * scale, 4.0f, 400.0f);
+      atlas.AddFontDefault(&config);
     }
-    return ImGui::GetIO().Fonts->Fonts.back();
+    return atlas.Fonts.back();
   }
 };
 
 }  // namespace
 
-void build_fonts(Look& look, const FontFiles& files) {
-  static Ranges all, maths_italic, maths_upright;  // ImGui reads them until the atlas is built anew
+std::unique_ptr<BuiltFonts> build_fonts(float scale, const std::unordered_set<ImWchar>& wanted,
+                                        const FontFiles& files) {
+  auto built = std::make_unique<BuiltFonts>();
+  built->scale = scale;
+  built->atlas = std::make_unique<ImFontAtlas>();
+  ImFontAtlas& atlas = *built->atlas;
   ImFontGlyphRangesBuilder every, slanted, upright;
-  every.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
-  for (ImWchar c : look.glyphs.wanted) every.AddChar(c);
+  every.AddRanges(atlas.GetGlyphRangesDefault());
+  for (ImWchar c : wanted) every.AddChar(c);
   for (ImWchar c = 0x21; c < 0x7f; ++c) (is_italic(c) ? slanted : upright).AddChar(c);
   for (const char* p : {"·", "Σ", "−", "×", "′", "²", "α", "β", "θ", "ρ", "π"}) {
     unsigned c = 0;
@@ -189,28 +192,26 @@ void build_fonts(Look& look, const FontFiles& files) {
     (is_italic(ImWchar(c)) ? slanted : upright).AddChar(ImWchar(c));
   }
   upright.AddChar(' ');
-  for (auto [builder, ranges] : {std::pair{&every, &all}, {&slanted, &maths_italic}, {&upright, &maths_upright}}) {
-    ranges->clear();
-    builder->BuildRanges(ranges);
-  }
+  auto& [all, italics, uprights] = built->ranges;
+  every.BuildRanges(&all);
+  slanted.BuildRanges(&italics);
+  upright.BuildRanges(&uprights);
 
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
-  const Builder b{look, files, all, maths_italic, maths_upright};
-  Fonts& f = look.fonts;
+  const Builder b{atlas, scale, files};
+  Fonts& f = built->fonts;
   f.text = b.stack(17, {{text, &all}, {japanese, &all}, {roman, &all}});
   f.small = b.stack(14, {{text, &all}, {japanese, &all}, {roman, &all}});
   f.bold = b.stack(17, {{bold, &all}, {japanese, &all}});
   f.mono = b.stack(15.5f, {{mono, &all}, {text, &all}});
   f.small_mono = b.stack(13.5f, {{mono, &all}, {text, &all}, {japanese, &all}});
-  f.math = b.stack(22, {{roman, &maths_upright}, {italic, &maths_italic}});
-  f.math_sub = b.stack(15.5f, {{roman, &maths_upright}, {italic, &maths_italic}});
-  f.formula = b.stack(28, {{roman, &maths_upright}, {italic, &maths_italic}});
-  f.formula_sub = b.stack(18.5f, {{roman, &maths_upright}, {italic, &maths_italic}});
+  f.math = b.stack(22, {{roman, &uprights}, {italic, &italics}});
+  f.math_sub = b.stack(15.5f, {{roman, &uprights}, {italic, &italics}});
+  f.formula = b.stack(28, {{roman, &uprights}, {italic, &italics}});
+  f.formula_sub = b.stack(18.5f, {{roman, &uprights}, {italic, &italics}});
   atlas.Build();
-  look.glyphs.changed = false;
+  return built;
 }
 
 }  // namespace cg

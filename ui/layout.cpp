@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ui/app.h"
-#include "ui/pane.h"
 
 namespace cg {
 namespace {
@@ -60,7 +59,7 @@ const Range& range_of_setting(double Settings::*member) {
   return *found;
 }
 
-void draw_areas(App& app, ImVec2 size) {
+void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   Look& look = app.look;
   const Palette& p = look.palette;
   Settings& s = app.settings;
@@ -77,7 +76,7 @@ void draw_areas(App& app, ImVec2 size) {
   area(app, "view", {left, bar}, {middle_w, middle_h}, p.window, {inner, inner}, false, [&] {
     draw_view_bar(app);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    draw_panes(app, {std::max(room.x, 0.0f), std::max(room.y, 0.0f)});
+    middle(app, {std::max(room.x, 0.0f), std::max(room.y, 0.0f)});
   });
   area(app, "side", {size.x - right, bar + 1}, {right, middle_h - 1}, p.panel, {look.px(14), look.px(10)}, true,
        [&] { draw_side_panel(app); });
@@ -95,7 +94,7 @@ void draw_areas(App& app, ImVec2 size) {
 
 }  // namespace
 
-void draw_window(App& app, ImVec2 size) {
+void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   if (!(size.x >= 1) || !(size.y >= 1)) return;
   app.lit = app.lit_next;
   app.lit_next = Quantity::none;
@@ -107,7 +106,7 @@ void draw_window(App& app, ImVec2 size) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
                    ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  draw_areas(app, size);
+  draw_areas(app, size, middle);
   draw_dialogues(app);
   draw_help(app);
   ImGui::End();

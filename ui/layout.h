@@ -3,12 +3,15 @@
 #pragma once
 #include <imgui.h>
 
+#include "ui/pane.h"
+
 namespace cg {
 
 struct App;
 
 // Draws all of the window, between ImGui's NewFrame and Render, into `size` pixels (either may be 0).
-void draw_window(App& app, ImVec2 size);
+// `middle` draws the pictures; a test without OpenGL gives another.
+void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2) = draw_panes);
 
 // Its parts, each into the child window that is open.
 void draw_top_bar(App& app);

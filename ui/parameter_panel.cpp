@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/named_materials.h"
 #include "scene/shape.h"
 #include "ui/app.h"
 #include "ui/formula.h"
@@ -99,6 +100,27 @@ std::string material_prefix(App& app) {
   return o && o->own_material ? "objects." + std::to_string(app.object) + ".material." : "material.";
 }
 
+// A list of the classic materials, which shows the one whose numbers stand there now.
+void choose_named_material(App& app) {
+  Object* o = chosen_object(app);
+  Material& material = o && o->own_material ? o->material : app.scene.material;
+  std::string shown(Words{"choose …", "選ぶ…"}.in(app.language()));
+  for (const NamedMaterial& named : named_materials)
+    if (with(material, named) == material) shown = named.label.in(app.language());
+  heading(app, Words{"Classic material", "代表的な素材"}.in(app.language()));
+  noted(app, shown);
+  if (!begin_list(app, "##named", shown.c_str(), ImGui::GetContentRegionAvail().x)) return;
+  for (const NamedMaterial& named : named_materials)
+    if (ImGui::Selectable(std::string(noted(app, named.label)).c_str())) material = with(material, named);
+  ImGui::EndCombo();
+}
+
+void draw_material_details(App& app, const Slots& all) {
+  choose_named_material(app);
+  parameters(app, all, material_prefix(app), {"k_r", "k_t", "emission"});
+  if (app.scene.shading.color_material != ColorMaterial::off) parameters(app, all, material_prefix(app), {"color"});
+}
+
 // The level of a shape: the same slot, but with the ends that this shape has.
 void draw_tessellation(App& app, const Slots& all) {
   const Object* o = chosen_object(app);
@@ -183,8 +205,8 @@ void draw_parameters(App& app) {
   const std::size_t objects = app.scene.objects.size();
   if (section(app, "light", {"Light: kind, colours, attenuation", "光源の種類・色・減衰"}, false))
     draw_light_details(app, all);
-  if (section(app, "material", {"Material: mirror, emission", "素材の鏡・透過・発光"}, false))
-    parameters(app, all, material_prefix(app), {"k_r", "k_t", "emission", "color"});
+  if (section(app, "material", {"Material: classic ones, mirror, emission", "代表的な素材・鏡・透過・発光"}, false))
+    draw_material_details(app, all);
   if (section(app, "shading", {"Shading: highlight, normals", "ハイライトの式・法線"}, false))
     parameters(app, all, "shading.",
                {"reflection", "normals", "crease_angle", "ambient", "local_viewer", "two_sided", "normal_length",

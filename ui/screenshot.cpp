@@ -12,10 +12,10 @@
 
 namespace cg {
 
-bool Screenshot::wanted(App& app) {
+bool Screenshot::wanted(App& app, bool fonts_busy) {
   if (file_.empty()) return false;
   app.animating = true;
-  const bool ready = app.figures.valid && !app.errands->busy() && !app.look.glyphs.changed;
+  const bool ready = app.figures.valid && !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
   calm_ = ready ? calm_ + 1 : 0;
   return calm_ > 5 || app.now > 20;
 }

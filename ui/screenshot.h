@@ -13,7 +13,7 @@ class Screenshot {
   // `file` is a .png; empty: never wanted.
   explicit Screenshot(std::string file) : file_(std::move(file)) {}
   // True when both pictures stand and all texts have their glyphs, or after 20 s.
-  bool wanted(App& app);
+  bool wanted(App& app, bool fonts_busy);
   // Reads the back buffer. Throws InputError where the file cannot be written.
   void take(GLFWwindow* window) const;
 

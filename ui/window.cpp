@@ -15,13 +15,12 @@
 #include "scene/shape.h"
 #include "ui/actions.h"
 #include "ui/app.h"
-#include "ui/fonts.h"
+#include "ui/dress.h"
 #include "ui/frame_times.h"
 #include "ui/keeping.h"
 #include "ui/layout.h"
 #include "ui/measure.h"
 #include "ui/screenshot.h"
-#include "ui/texts.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
 
@@ -66,7 +65,7 @@ class Surface {
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
+    ImGui::CreateContext(&no_fonts_);  // Dress brings them before the first frame
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // the session keeps what there is to keep
     io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -105,37 +104,7 @@ class Surface {
   }
 
   GLFWwindow* window_ = nullptr;
-};
-
-// Style and fonts anew where the theme, the size of the type or the texts have changed.
-class Dress {
- public:
-  explicit Dress(std::shared_ptr<const FontFiles> files) : files_(std::move(files)) {}
-
-  void fit(App& app, double content_scale) {
-    Look& look = app.look;
-    const float scale = float(std::clamp(content_scale * app.settings.zoom, 0.4, 8.0));
-    const bool other_scale = scale != look.scale || !dressed_;
-    if (other_scale || theme_ != app.settings.theme || !dressed_) {
-      look.scale = scale;
-      look.palette = palette_of(app.settings.theme);
-      theme_ = app.settings.theme;
-      apply_style(look);
-    }
-    if (!dressed_ || language_ != app.language()) note_all_texts(look.glyphs, language_ = app.language());
-    if (other_scale || look.glyphs.changed) {
-      build_fonts(look, *files_);
-      ImGui_ImplOpenGL3_DestroyFontsTexture();
-      ImGui_ImplOpenGL3_CreateFontsTexture();
-    }
-    dressed_ = true;
-  }
-
- private:
-  std::shared_ptr<const FontFiles> files_;
-  bool dressed_ = false;
-  Theme theme_ = Theme::dark;
-  Language language_ = Language::english;
+  ImFontAtlas no_fonts_;
 };
 
 // Waits until there is a reason for a frame: an event, a picture that came, a time that was asked for.
@@ -218,12 +187,11 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   if (app.scene.objects.empty()) app.scene = open_scene(std::string(shapes().front().id));
   app.history.restart(app.scene);
   start.mark("scene");
-  const auto files = find_fonts();
-  start.mark("fonts found");
+  if (options.scale > 0) app.content_scale = options.scale;
+  Dress dress(app);  // the fonts are built while the window opens
   Surface surface(app, place);
   const ContextUsers users{app};
   start.mark("window");
-  Dress dress(files);
   FrameTimes times;
   Screenshot shot(options.screenshot);
   Measurement measurement(options.measure);
@@ -231,7 +199,8 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   for (bool first = true; !glfwWindowShouldClose(surface.get()); first = false) {
     if (!first) wait_for_reason(app, settling);
     times.begin();
-    dress.fit(app, options.scale > 0 ? options.scale : surface.content_scale());
+    app.content_scale = options.scale > 0 ? options.scale : surface.content_scale();
+    dress.fit(app);
     if (first) start.mark("fonts built");
     measurement.change(app);
     draw_frame(app, surface.get());
@@ -239,7 +208,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     glfwGetWindowSize(surface.get(), &place.width, &place.height);
     if (options.keep_session) keep(app, place, store);
     times.end();
-    if (shot.wanted(app)) {
+    if (shot.wanted(app, dress.busy())) {
       shot.take(surface.get());
       break;
     }
