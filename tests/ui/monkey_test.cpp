@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <random>
 
+#include "params/slots.h"
 #include "tests/ui/imgui_fixture.h"
 #include "ui/actions.h"
 #include "workbench/open.h"
