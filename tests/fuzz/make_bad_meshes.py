@@ -78,12 +78,16 @@ def write_obj(corpus):
         add(f"good-corner-{i}", lists + f"f 1 2 {good}\n", 7)
     for n, corners in enumerate(["", "1", "1 2"]):
         add(f"face-with-{n}-corners", cube + f"f {corners}\n", ERROR)
-    for i, key in enumerate(["ff", "F", "V", "vx", "f1 2 3", "v1 0 0", "?", "\x00", "\ufeff", "/* c */", "// c", "<html>", "usemat a"]):
+    for i, key in enumerate([
+            "ff", "F", "V", "vx", "f1 2 3", "v1 0 0", "?", "\x00", "\ufeff", "/* c */", "// c", "<html>", "usemat a"
+        ]):
         add(f"unknown-statement-{i}", cube + key + "\n", ERROR)
-    for i, line in enumerate(["s off", "s 1", "l 1 2", "p 1", "vp 0 0", "cstype bezier", "curv 0 1 1 2", "mg 0", "lod 1",
-                              "usemtl", "usemtl a b", "o", "g", "g a b", "mtllib", "mtllib nowhere.mtl", "# c", "   # c",
-                              "mtllib ../../../etc/passwd", "mtllib /dev/zero", "mtllib \\\\server\\share\\a.mtl",
-                              "o \x00", "# \\", "end"]):
+    for i, line in enumerate([
+            "s off", "s 1", "l 1 2", "p 1", "vp 0 0", "cstype bezier", "curv 0 1 1 2", "mg 0", "lod 1", "usemtl",
+            "usemtl a b", "o", "g", "g a b", "mtllib", "mtllib nowhere.mtl", "# c", "   # c",
+            "mtllib ../../../etc/passwd", "mtllib /dev/zero", "mtllib \\\\server\\share\\a.mtl", "o \x00", "# \\",
+            "end"
+        ]):
         add(f"statement-{i}", line + "\n" + cube, 6)
     add("no-faces", v, ERROR)
     add("empty", "", ERROR)
@@ -110,7 +114,8 @@ def write_obj(corpus):
     add("concave", "v 0 0 0\nv 2 0 0\nv 0.5 0.5 0\nv 0 2 0\nf 1 2 3 4\nf 3 4 1 2\n", 2)
     add("bow-tie", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", 1)
     for exponent in (-320, -40, -20, 20, 38, 300, 307):
-        add(f"size-1e{exponent}", "".join("v " + " ".join(f"{c}e{exponent}" for c in p) + "\n" for p in CUBE) + cube[len(v):], 6)
+        add(f"size-1e{exponent}",
+            "".join("v " + " ".join(f"{c}e{exponent}" for c in p) + "\n" for p in CUBE) + cube[len(v):], 6)
     ring = lambda n, r: "".join(f"v {r(i) * math.cos(i * math.tau / n):.9f} {r(i) * math.sin(i * math.tau / n):.9f} 0\n"
                                 for i in range(n)) + "f " + " ".join(str(i + 1) for i in range(n)) + "\n"
     add("polygon-of-100000", ring(100000, lambda i: 1), 1)
@@ -126,7 +131,8 @@ def write_obj(corpus):
 
 
 def ply(nv=8, nf=6, form="ascii", vertex="", face="", indices="uchar int"):
-    return (f"ply\nformat {form} 1.0\nelement vertex {nv}\nproperty float x\nproperty float y\nproperty float z\n{vertex}"
+    return (f"ply\nformat {form} 1.0\n"
+            f"element vertex {nv}\nproperty float x\nproperty float y\nproperty float z\n{vertex}"
             f"element face {nf}\nproperty list {indices} vertex_indices\n{face}end_header\n")
 
 
@@ -146,37 +152,51 @@ def write_ply_text(corpus):
         add(f"bad-face-count-{i}", ply(nf=bad) + v + f, ERROR)
     for i, (nv, nf) in enumerate([(7, 6), (9, 6), (8, 5), (8, 7), (0, 6), (8, 0), (0, 0), (1000000, 6), (8, 1000000)]):
         add(f"wrong-counts-{i}", ply(nv=nv, nf=nf) + v + f, ERROR)
-    for i, bad in enumerate(["4 0 1 2 8", "4 0 1 2 -1", "4 0 1 2", "3 0 1 2 3", "-1 0 1 2", "4000000000 0 1 2", "0", "1 0", "2 0 1", "x 0 1 2",
-                             "3 0 1 1.5", "3 0 1 nan", "3 0 1 4294967296", "3 0 1 18446744073709551616", "3.0 0 1 2", "",
-                             "4 0 1 2 3 # c"]):
+    for i, bad in enumerate([
+            "4 0 1 2 8", "4 0 1 2 -1", "4 0 1 2", "3 0 1 2 3", "-1 0 1 2", "4000000000 0 1 2", "0", "1 0", "2 0 1",
+            "x 0 1 2", "3 0 1 1.5", "3 0 1 nan", "3 0 1 4294967296", "3 0 1 18446744073709551616", "3.0 0 1 2", "",
+            "4 0 1 2 3 # c"
+        ]):
         add(f"bad-face-{i}", swapped(good, "4 0 3 2 1", bad), ERROR)
     for i, n in enumerate(range(1, len(good), 37)):
         add(f"cut-{i}", good[:n], ERROR)
-    for i, types in enumerate(["uchar int", "uint8 int32", "char char", "short short", "ushort uint", "int32 uint32", "uint uchar"]):
+    for i, types in enumerate([
+            "uchar int", "uint8 int32", "char char", "short short", "ushort uint", "int32 uint32", "uint uchar"
+        ]):
         add(f"list-types-{i}", ply(indices=types) + v + f, 6)
-    for i, types in enumerate(["float int", "uchar float", "double double", "uchar", "list int", "uchar long", "int64 int"]):
+    for i, types in enumerate([
+            "float int", "uchar float", "double double", "uchar", "list int", "uchar long", "int64 int"
+        ]):
         add(f"bad-list-types-{i}", ply(indices=types) + v + f, ERROR)
-    for i, (old, new) in enumerate([("ply\n", "PLY\n"), ("ply\n", "ply ply\n"), ("ply\n", ""), ("format ascii 1.0\n", ""),
-                                    ("ascii", "ebcdic"), ("1.0", "2.0"), ("ascii 1.0", "ascii"), ("element vertex 8\n", ""),
-                                    ("element face 6\n", ""), ("property float y\n", ""), ("property float y", "property float x"),
-                                    ("float y", "real y"), ("float y", "list uchar float y"), ("float y", "float"),
-                                    ("element face", "element vertex"), ("element face", "element faces"),
-                                    ("vertex_indices", "indices"), ("end_header\n", ""), ("end_header", "end_headers"),
-                                    ("element vertex", "elements vertex"), ("property float x", "float x"),
-                                    ("element vertex 8", "element vertex 8 8"), ("property float x", "property float x y"),
-                                    ("ply\n", "ply\ncomment c\n" * 2)]):
+    for i, (old, new) in enumerate([
+            ("ply\n", "PLY\n"), ("ply\n", "ply ply\n"), ("ply\n", ""), ("format ascii 1.0\n", ""),
+            ("ascii", "ebcdic"), ("1.0", "2.0"), ("ascii 1.0", "ascii"), ("element vertex 8\n", ""),
+            ("element face 6\n", ""), ("property float y\n", ""), ("property float y", "property float x"),
+            ("float y", "real y"), ("float y", "list uchar float y"), ("float y", "float"),
+            ("element face", "element vertex"), ("element face", "element faces"), ("vertex_indices", "indices"),
+            ("end_header\n", ""), ("end_header", "end_headers"), ("element vertex", "elements vertex"),
+            ("property float x", "float x"), ("element vertex 8", "element vertex 8 8"),
+            ("property float x", "property float x y"), ("ply\n", "ply\ncomment c\n" * 2)
+        ]):
         add(f"bad-header-{i}", swapped(good, old, new), ERROR)
     many = "".join(f"property float p{i}\n" for i in range(2000))
     add("too-many-properties", ply(vertex=many) + v + f, ERROR)
-    add("too-many-elements", swapped(good, "end_header", "".join(f"element e{i} 0\n" for i in range(100)) + "end_header"), ERROR)
+    add("too-many-elements",
+        swapped(good, "end_header", "".join(f"element e{i} 0\n" for i in range(100)) + "end_header"), ERROR)
     add("no-end-of-comments", "ply\n" + "comment c\n" * 200_000, ERROR)
     add("element-without-properties", swapped(good, "end_header", "element nothing 99999999999\nend_header"), 6)
     add("obj-info", swapped(good, "element", "obj_info made by element vertex 99999999\nelement"), 6)
-    add("colours", ply(vertex="property uchar red\nproperty uchar green\nproperty uchar blue\n") + rows(CUBE, "{} {} {} 1 2 3\n") + f, 6)
+    add("colours",
+        ply(vertex="property uchar red\nproperty uchar green\nproperty uchar blue\n") +
+        rows(CUBE, "{} {} {} 1 2 3\n") + f, 6)
     add("corner-uv", ply(face="property list uchar float texcoord\n") + v + f.replace("\n", " 8 0 0 1 0 1 1 0 1\n"), 6)
-    add("corner-uv-odd", ply(face="property list uchar float texcoord\n") + v + f.replace("\n", " 7 0 0 1 0 1 1 0\n"), ERROR)
-    add("corner-uv-nan", ply(face="property list uchar float texcoord\n") + v + f.replace("\n", " 8 0 0 1 0 1 1 0 nan\n"), ERROR)
-    add("normal-nan", ply(vertex="property float nx\nproperty float ny\nproperty float nz\n") + rows(CUBE, "{} {} {} 0 0 nan\n") + f, ERROR)
+    add("corner-uv-odd",
+        ply(face="property list uchar float texcoord\n") + v + f.replace("\n", " 7 0 0 1 0 1 1 0\n"), ERROR)
+    add("corner-uv-nan",
+        ply(face="property list uchar float texcoord\n") + v + f.replace("\n", " 8 0 0 1 0 1 1 0 nan\n"), ERROR)
+    add("normal-nan",
+        ply(vertex="property float nx\nproperty float ny\nproperty float nz\n") +
+        rows(CUBE, "{} {} {} 0 0 nan\n") + f, ERROR)
     add("other-nan", ply(vertex="property float quality\n") + rows(CUBE, "{} {} {} nan\n") + f, 6)
     add("two-vertices-on-a-line", swapped(good, "-1 -1 -1\n", "-1 -1 -1 "), ERROR)
     add("random", random.randbytes(50_000), ERROR)
@@ -202,10 +222,12 @@ def write_ply_bytes(corpus):
             add(f"wrong-counts-{i}", head(nv=nv, nf=nf) + v + f, ERROR)
         add("length-of-2-billion", head(nf=1, indices="int int") + v + struct.pack(order + "i", 2**31 - 1) + f, ERROR)
         add("negative-length", head(nf=1, indices="int int") + v + struct.pack(order + "i", -3) + f, ERROR)
-        add("skipped-list-of-2-billion", head(vertex="property list uint double more\n") + (v[:12] + b"\x7f" * 4) * 8 + f, ERROR)
+        add("skipped-list-of-2-billion",
+            head(vertex="property list uint double more\n") + (v[:12] + b"\x7f" * 4) * 8 + f, ERROR)
         add("line-end-behind", good + b"\r\n", 6)
         add("bytes-behind", good + b"\0", ERROR)
-        add("the-other-order", swapped(good.decode("latin-1"), name, "little" if name == "big" else "big").encode("latin-1"), ERROR)
+        add("the-other-order",
+            swapped(good.decode("latin-1"), name, "little" if name == "big" else "big").encode("latin-1"), ERROR)
         add("called-text", swapped(good.decode("latin-1"), f"binary_{name}_endian", "ascii").encode("latin-1"), ERROR)
         add("random", head(nv=1000, nf=1000) + b"\xff" * 20_000, ERROR)
 
@@ -228,8 +250,10 @@ def write_off(corpus):
         add(f"wrong-counts-{i}", f"OFF\n{counts}\n" + v + f, ERROR)
     for i, word in enumerate(["", "off", "OF", "4OFF", "nOFF", "OFF BINARY", "XOFF", "NCOFF", "OFFF", "{ OFF", "ply"]):
         add(f"bad-keyword-{i}", swapped(good, "OFF", word), ERROR)
-    for i, (word, more) in enumerate([("NOFF", " 0 0 1"), ("COFF", " 1 0 0"), ("COFF", " 255 0 0 255"), ("STOFF", " 0 1"),
-                                      ("CNOFF", " 0 0 1 1 0 0 1"), ("STCNOFF", " 0 0 1 1 0 0 1 0 1")]):
+    for i, (word, more) in enumerate([
+            ("NOFF", " 0 0 1"), ("COFF", " 1 0 0"), ("COFF", " 255 0 0 255"), ("STOFF", " 0 1"),
+            ("CNOFF", " 0 0 1 1 0 0 1"), ("STCNOFF", " 0 0 1 1 0 0 1 0 1")
+        ]):
         text = word + "\n8 6 12\n" + v.replace("\n", more + "\n") + f
         add(f"keyword-{i}", text, 6)
         add(f"keyword-without-values-{i}", swapped(good, "OFF", word), ERROR)
@@ -250,8 +274,8 @@ def write_stl(corpus):
     facet = lambda t: struct.pack("<12fH", 0, 0, 0, *t[0], *t[1], *t[2], 0)
     body = b"".join(facet(t) for t in triangles)
     binary = lambda n=12, head=b"binary": head.ljust(80) + struct.pack("<I", n) + body
-    text = "solid cube\n" + "".join(
-        "facet normal 0 0 0\nouter loop\n" + rows(t, "vertex {} {} {}\n") + "endloop\nendfacet\n" for t in triangles) + "endsolid cube\n"
+    text_facet = lambda t: "facet normal 0 0 0\nouter loop\n" + rows(t, "vertex {} {} {}\n") + "endloop\nendfacet\n"
+    text = "solid cube\n" + "".join(text_facet(t) for t in triangles) + "endsolid cube\n"
     add = lambda name, content, expected: corpus.add(name + ".stl", content, expected)
     add("binary", binary(), 12)
     add("binary-that-begins-with-solid", binary(head=b"solid exported"), 12)
@@ -266,9 +290,11 @@ def write_stl(corpus):
         add(f"binary-bad-coordinate-{i}", bytes(data), ERROR)
     add("binary-all-at-one-place", b"x" * 80 + struct.pack("<I", 10) + bytes(500), 10)
     add("text", text, 12)
-    for name, changed in (("crlf", text.replace("\n", "\r\n")), ("cr", text.replace("\n", "\r")), ("upper", text.upper()),
-                          ("indented", text.replace("\n", "\n\t  ")), ("unnamed", text.replace(" cube", "")),
-                          ("blank-lines", text.replace("\n", "\n\n"))):
+    for name, changed in (
+            ("crlf", text.replace("\n", "\r\n")), ("cr", text.replace("\n", "\r")), ("upper", text.upper()),
+            ("indented", text.replace("\n", "\n\t  ")), ("unnamed", text.replace(" cube", "")),
+            ("blank-lines", text.replace("\n", "\n\n"))
+        ):
         add("text-" + name, changed, 12)
     add("text-two-solids", text + text, 24)
     add("text-nan-normal", text.replace("normal 0 0 0", "normal nan nan nan"), 12)
@@ -276,11 +302,13 @@ def write_stl(corpus):
         add(f"text-bad-coordinate-{i}", swapped(text, "vertex -1 1 -1", f"vertex -1 {bad} -1"), ERROR)
     for i, number in enumerate(GOOD_NUMBERS):
         add(f"text-good-coordinate-{i}", swapped(text, "vertex -1 1 -1", f"vertex -1 {number} -1"), 12)
-    for i, (old, new) in enumerate([("vertex -1 1 -1\n", ""), ("outer loop\n", ""), ("endloop\n", ""), ("endfacet\n", ""), ("endsolid cube\n", ""),
-                                    ("facet normal 0 0 0\n", ""), ("facet normal 0 0 0", "facet"), ("normal 0 0 0", "normal 0 0"),
-                                    ("normal 0 0 0", "normal 0 0 0 0"), ("vertex -1 1 -1", "vertex -1 1"),
-                                    ("vertex -1 1 -1", "vertex -1 1 -1 1"), ("vertex -1 1 -1\n", "vertex -1 1 -1\n" * 2),
-                                    ("solid", "sold"), ("endfacet", "end facet"), ("outer loop", "outer"), ("endsolid", "endsold")]):
+    for i, (old, new) in enumerate([
+            ("vertex -1 1 -1\n", ""), ("outer loop\n", ""), ("endloop\n", ""), ("endfacet\n", ""),
+            ("endsolid cube\n", ""), ("facet normal 0 0 0\n", ""), ("facet normal 0 0 0", "facet"),
+            ("normal 0 0 0", "normal 0 0"), ("normal 0 0 0", "normal 0 0 0 0"), ("vertex -1 1 -1", "vertex -1 1"),
+            ("vertex -1 1 -1", "vertex -1 1 -1 1"), ("vertex -1 1 -1\n", "vertex -1 1 -1\n" * 2), ("solid", "sold"),
+            ("endfacet", "end facet"), ("outer loop", "outer"), ("endsolid", "endsold")
+        ]):
         add(f"text-bad-{i}", swapped(text, old, new), ERROR)
     for i, n in enumerate(range(5, len(text) - 15, 101)):
         add(f"text-cut-{i}", text[:n], ERROR)
