@@ -76,13 +76,15 @@ Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec
   return a + (weights.y * (b - a) + weights.z * (c - a));
 }
 
-// Writes a pixel; returns 1 where it was not finite.
+// Writes a pixel; returns 1 where it was not a number. A sliver's weights may carry a colour beyond float's range.
 template <class Real>
-std::size_t write(glm::vec3& pixel, const Vec3<Real>& colour) {
-  const glm::vec3 c(colour);
-  const bool finite = std::abs(c.x) + std::abs(c.y) + std::abs(c.z) <= std::numeric_limits<float>::max();
-  pixel = finite ? c : glm::vec3(0);
-  return finite ? 0 : 1;
+[[gnu::always_inline]] inline std::size_t write(glm::vec3& pixel, const Vec3<Real>& colour) {
+  constexpr Real most = Real(1e30);
+  const glm::vec3 c(glm::min(glm::max(colour, Vec3<Real>(-most)), Vec3<Real>(most)));
+  const float sum = c.x + c.y + c.z;
+  const bool number = sum == sum;
+  pixel = number ? c : glm::vec3(0);
+  return number ? 0 : 1;
 }
 
 // Points that wait until eight can be lit at once. `done(which, colour)` takes each.

@@ -17,11 +17,15 @@ class TriangleWeights {
     const Real x1 = Real(v[1]->x) - x0, y1 = Real(v[1]->y) - y0;
     const Real x2 = Real(v[2]->x) - x0, y2 = Real(v[2]->y) - y0;
     const Real area = x1 * y2 - x2 * y1;
-    const Real s = std::abs(area) > Real(0) ? Real(1) / area : Real(0);  // no area before snapping: the first vertex's
+    const Real s = std::abs(area) > Real(1e-15) ? Real(1) / area : Real(0);  // a line before snapping: the first vertex
     x_ = x0 - Real(0.5), y_ = y0 - Real(0.5);
     b_dx_ = y2 * s, b_dy_ = -x2 * s;
     c_dx_ = -y1 * s, c_dy_ = x1 * s;
     w_a_ = Real(v[0]->w_inverse), w_b_ = Real(v[1]->w_inverse), w_c_ = Real(v[2]->w_inverse);
+    // Only their ratio counts: far away they would make a product that float cannot hold.
+    if (const Real largest = std::max({w_a_, w_b_, w_c_}); !(largest > Real(1e-15) && largest < Real(1e15))) {
+      w_a_ /= largest, w_b_ /= largest, w_c_ /= largest;
+    }
   }
 
   // (x, y): the pixel, y counted from the bottom.
@@ -29,7 +33,7 @@ class TriangleWeights {
     const Real px = Real(x) - x_, py = Real(y) - y_;
     const Real b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
     const Real aw = (Real(1) - b - c) * w_a_, bw = b * w_b_, cw = c * w_c_;
-    const Real s = Real(1) / (aw + bw + cw);
+    const Real sum = aw + bw + cw, s = Real(1) / (sum != Real(0) ? sum : Real(1));
     return {aw * s, bw * s, cw * s};
   }
 
