@@ -281,7 +281,7 @@ int run_command_line(int argc, char** argv, const std::vector<Technique>& techni
       throw parse_problem(e);
     }
     const int status = run(parser, techniques, open_window, language);
-    if (std::fflush(stdout) != 0)
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
       return complain(std::string(Words{"stdout cannot be written", "標準出力に書けません"}.in(language)));
     return status;
   } catch (const InputError& e) {
@@ -290,6 +290,8 @@ int run_command_line(int argc, char** argv, const std::vector<Technique>& techni
     return complain(std::string(Words{"not enough memory; a smaller --size or model may do",
                                       "メモリが足りません。--size かモデルを小さくしてください"}
                                     .in(language)));
+  } catch (const std::exception& e) {  // a file system's, mostly: what none of ours foresaw
+    return complain(e.what());
   }
 }
 

@@ -58,6 +58,39 @@ TEST(Json, RefusesDuplicatesDepthAndSize) {
   error_of(std::string(100, '"') + std::string(5000, 'x'));
 }
 
+// Whatever bytes change, a text is read or refused in one line; what is read is written and read back the same.
+TEST(Json, DamagedTextsAreReadOrRefused) {
+  std::mt19937 random(5);
+  const std::string whole = R"({"schema": 1, "é": [1, -2.5e-3, true, null, "\u3042\n"], "b": {"c": {}, "d": []}})";
+  for (int i = 0; i < 50000; ++i) {
+    std::string text = whole;
+    for (unsigned n = random() % 4 + 1; n > 0; --n) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 4) {
+        case 0:
+          text[at] = char(random());
+          break;
+        case 1:
+          text.insert(at, 1, "{}[],:\"\\0e-."[random() % 12]);
+          break;
+        case 2:
+          text.erase(at, 1 + random() % 5);
+          break;
+        default:
+          text += text.substr(at);
+      }
+      if (text.empty()) text = "{";
+    }
+    try {
+      const Tree tree = parse_json(text, "a.json");
+      ASSERT_EQ(parse_json(to_json(tree), "a.json"), tree) << text;
+    } catch (const InputError& e) {
+      ASSERT_EQ(e.message(Language::english).find('\n'), std::string::npos);
+      ASSERT_GE(e.line, 1);
+    }
+  }
+}
+
 TEST(Json, NumbersKeepTheirBits) {
   std::mt19937_64 random(1);
   std::vector<double> values{0.0,
