@@ -120,21 +120,21 @@ void perform(App& app, Do what) {
   }
 }
 
-void handle_keys(App& app) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) return;
-  if (app.help && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) app.help = false;
-  if (app.dialogue.kind != Dialogue::none) return;
-  for (const Action& a : list) {
-    if (a.key == 0 || !ImGui::IsKeyPressed(a.key, a.what == Do::undo || a.what == Do::redo)) continue;
-    const bool shift_matters = a.key == GLFW_KEY_Z || !a.ctrl;
-    if (io.KeyCtrl != a.ctrl || io.KeyAlt || io.KeySuper || (shift_matters && io.KeyShift != a.shift)) continue;
-    perform(app, a.what);
-    return;
+void handle_keys(App& app, std::span<const KeyPress> pressed) {
+  if (ImGui::GetIO().WantTextInput) return;
+  for (const KeyPress& p : pressed) {
+    if (p.key == GLFW_KEY_ESCAPE) app.help = false;
+    if (app.dialogue.kind != Dialogue::none || p.other) continue;
+    for (const Action& a : list) {
+      if (a.key != p.key || a.ctrl != p.ctrl) continue;
+      const bool shift_matters = a.key == GLFW_KEY_Z || !a.ctrl;  // + is = with Shift
+      if (shift_matters && a.shift != p.shift) continue;
+      if (p.repeat && a.what != Do::undo && a.what != Do::redo) continue;
+      perform(app, a.what);
+    }
+    for (const auto& [key, what] : also)
+      if (key == p.key && p.ctrl) perform(app, what);
   }
-  if (!io.KeyCtrl) return;
-  for (const auto& [key, what] : also)
-    if (ImGui::IsKeyPressed(key, false)) return perform(app, what);
 }
 
 }  // namespace cg

@@ -48,7 +48,14 @@ const Action& action(Do what);
 
 void perform(App& app, Do what);
 
-// Performs what the keys that went down in this frame ask for, unless a text is being typed.
-void handle_keys(App& app);
+// A key that went down. Kept as an event: ImGui 1.86 misses a key that is up again before the next frame.
+struct KeyPress {
+  int key = 0;                                      // of GLFW
+  bool ctrl = false, shift = false, other = false;  // other: Alt or Super
+  bool repeat = false;
+};
+
+// Performs what the keys ask for, unless a text is being typed.
+void handle_keys(App& app, std::span<const KeyPress> pressed);
 
 }  // namespace cg

@@ -1,5 +1,8 @@
 // What lies over the window: what was to be said, the list of keys.
 #include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
 #include <string>
 
 #include "ui/actions.h"
@@ -79,26 +82,37 @@ void draw_help(App& app) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   const Language l = app.language();
-  auto line = [&](std::string_view keys, std::string_view what) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  float y = top.y;
+  auto line = [&](int column, std::string_view keys, std::string_view what) {
+    const float x = top.x + float(column) * look.px(390);
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    set_text(draw, look.fonts.mono, {at.x, at.y + look.px(18)}, look.palette.dim, noted(app, keys));
-    const float w =
-        set_text(draw, look.fonts.text, {at.x + look.px(170), at.y + look.px(18)}, look.palette.text, noted(app, what));
-    ImGui::Dummy({look.px(170) + w, look.px(20)});
+    set_text(draw, look.fonts.mono, {x, y + look.px(18)}, look.palette.dim, noted(app, keys));
+    set_text(draw, look.fonts.text, {x + look.px(170), y + look.px(18)}, look.palette.text, noted(app, what));
+    y += look.px(26);
   };
-  ImGui::PushFont(look.fonts.bold);
-  write(app, Words{"Keys and mouse", "キーとマウス"});
-  ImGui::PopFont();
-  for (const Action& a : actions()) line(a.keys, a.label.in(l));
+  auto title = [&](int column, const Words& words) {
+    set_text(ImGui::GetWindowDrawList(), look.fonts.bold, {top.x + float(column) * look.px(390), y + look.px(18)},
+             look.palette.text, noted(app, words));
+    y += look.px(34);
+  };
+  constexpr std::size_t first = 14;  // the rest of the keys stands above the mouse, in the second column
+  title(0, {"Keys", "キー"});
+  for (std::size_t i = 0; i < std::min(first, actions().size()); ++i)
+    line(0, actions()[i].keys, actions()[i].label.in(l));
+  const float bottom = y;
+  y = top.y + look.px(34);
+  for (std::size_t i = first; i < actions().size(); ++i) line(1, actions()[i].keys, actions()[i].label.in(l));
   constexpr std::array<std::pair<Words, Words>, 5> mouse{
       {{{"Click a value", "数値をクリック"}, {"Type it", "値を入力"}},
-       {{"Wheel on a value", "数値の上でホイール"}, {"Turn it a little", "少しずつ変える"}},
+       {{"Wheel on a value", "数値でホイール"}, {"Turn it a little", "少しずつ変える"}},
        {{"Shift", "Shift"}, {"Ten times finer", "10 倍細かく動かす"}},
        {{"Click a term", "項をクリック"}, {"Draw it alone", "その項だけを描く"}},
        {{"Drop a file", "ファイルをドロップ"}, {"Open it", "開く"}}}};
-  ImGui::Dummy({1, look.px(6)});
-  for (const auto& [where, what] : mouse) line(where.in(l), what.in(l));
+  y += look.px(10);
+  title(1, {"Mouse", "マウス"});
+  for (const auto& [where, what] : mouse) line(1, where.in(l), what.in(l));
+  ImGui::Dummy({look.px(390 + 360), std::max(bottom, y) - top.y});
   if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered() && !ImGui::IsWindowAppearing()) app.help = false;
   ImGui::End();
 }

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 #include "params/slots.h"
 #include "scene/shape.h"
@@ -35,7 +35,7 @@ std::string last_glfw_error() {
 // GLFW, its window with an OpenGL context, and ImGui on it; undone in reverse order.
 class Surface {
  public:
-  Surface(App& app, const Placement& place) {
+  Surface(App& app, const Placement& place) : ears_{app, {}} {
     if (!glfwInit()) {
       const std::string why = last_glfw_error();
       throw InputError("display", {"no window can be opened: " + why, "ウィンドウを開けません: " + why},
@@ -58,9 +58,17 @@ class Surface {
                        {"a driver with OpenGL 3.3", "OpenGL 3.3 のあるドライバ"});
     }
     glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    glfwSetWindowUserPointer(window_, &app);
+    glfwSetWindowUserPointer(window_, &ears_);
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-      if (count > 0) open_in_window(*static_cast<App*>(glfwGetWindowUserPointer(w)), paths[0]);
+      if (count > 0) open_in_window(static_cast<Ears*>(glfwGetWindowUserPointer(w))->app, paths[0]);
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int what, int with) {
+      if (what == GLFW_RELEASE) return;
+      const char* name = glfwGetKeyName(key, code);  // the letter on the key, wherever the layout has it
+      if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = GLFW_KEY_A + (name[0] - 'a');
+      static_cast<Ears*>(glfwGetWindowUserPointer(w))
+          ->pressed.push_back({key, (with & GLFW_MOD_CONTROL) != 0, (with & GLFW_MOD_SHIFT) != 0,
+                               (with & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0, what == GLFW_REPEAT});
     });
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
@@ -84,6 +92,9 @@ class Surface {
 
   GLFWwindow* get() const { return window_; }
 
+  // The keys since the last time.
+  std::vector<KeyPress> take_keys() { return std::exchange(ears_.pressed, {}); }
+
   double content_scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
@@ -103,6 +114,11 @@ class Surface {
     }
   }
 
+  struct Ears {
+    App& app;
+    std::vector<KeyPress> pressed;
+  };
+  Ears ears_;
   GLFWwindow* window_ = nullptr;
   ImFontAtlas no_fonts_;
 };
@@ -119,7 +135,7 @@ void wait_for_reason(App& app, int& settling) {
   settling = 1;  // ImGui shows some things a frame after the event
 }
 
-void draw_frame(App& app, GLFWwindow* window) {
+void draw_frame(App& app, Surface& surface) {
   app.now = glfwGetTime();
   app.animating = false;
   app.next_frame = app.now + 2;
@@ -129,12 +145,12 @@ void draw_frame(App& app, GLFWwindow* window) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = io.DeltaTime > 1e-4f ? std::min(io.DeltaTime, 0.25f) : 1e-4f;  // also after a suspend, also NaN
   ImGui::NewFrame();
-  handle_keys(app);
+  handle_keys(app, surface.take_keys());
   draw_window(app, io.DisplaySize);
   keep_history(app);
   ImGui::Render();
   int width = 0, height = 0;
-  glfwGetFramebufferSize(window, &width, &height);
+  glfwGetFramebufferSize(surface.get(), &width, &height);
   if (width <= 0 || height <= 0) return;
   glViewport(0, 0, width, height);
   glClearColor(0, 0, 0, 1);
@@ -203,7 +219,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     dress.fit(app);
     if (first) start.mark("fonts built");
     measurement.change(app);
-    draw_frame(app, surface.get());
+    draw_frame(app, surface);
     measurement.drawn(app);
     glfwGetWindowSize(surface.get(), &place.width, &place.height);
     if (options.keep_session) keep(app, place, store);

@@ -45,7 +45,10 @@ TEST_F(ImGuiTest, AMonkeyAtTheWindow) {
     if (dice(400) == 0) io.DisplaySize = {float(1 + dice(2000)), float(1 + dice(1200))};
     if (dice(100) == 0) io.DisplaySize = {1280, 720};
     io.KeyCtrl = false;
-    handle_keys(app);
+    std::vector<KeyPress> pressed;
+    for (int key : keys)
+      if (io.KeysDown[key]) pressed.push_back({key, false, io.KeyShift, false, dice(2) == 0});
+    handle_keys(app, pressed);
     app.errands->finish(app);
     window_frame();
     ASSERT_TRUE(all_accepted(app.scene)) << "frame " << i;
