@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/app.h"
+#include "ui/fill.h"
 
 namespace cg {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 template <class Draw>
 void area(App& app, const char* id, ImVec2 at, ImVec2 size, ImU32 colour, ImVec2 padding, bool scrolls, Draw draw) {
   if (!(size.x >= 1) || !(size.y >= 1)) return;
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, colour);
+  fill(ImGui::GetWindowDrawList(), at, {at.x + size.x, at.y + size.y}, colour);
   ImGui::SetCursorScreenPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   const ImGuiWindowFlags flags =
@@ -102,9 +103,9 @@ void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("shadebench", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus |
-                   ImGuiWindowFlags_NoScrollWithMouse);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_areas(app, size, middle);
   draw_dialogues(app);

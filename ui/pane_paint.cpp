@@ -38,6 +38,11 @@ std::string rounded(double v, int places) {
   return text;
 }
 
+// Whether texels are shown as they are: magnified, or one to one (which is faster then, and the same).
+bool shows_texels(const Place& place, const Drawing& drawing) {
+  return drawing.coarseness == 1 && (place.magnification() >= 2 || place.magnification() == 1);
+}
+
 // A small number of a legend.
 std::string two_digits(double v) { return rounded(v, v == 0 || v >= 10 ? 0 : v >= 1 ? 1 : v >= 0.1 ? 2 : 3); }
 
@@ -98,7 +103,7 @@ void Panes::paint_pane(App& app, int side, const Place& place) {
   if (place.empty()) return;
   const bool old = pane.message.has_value();
   if (!old && on_screen_[std::size_t(side)]) {
-    pictures_[std::size_t(side)].magnify(place.magnification() >= 2 && on_screen_[std::size_t(side)]->coarseness == 1);
+    pictures_[std::size_t(side)].magnify(shows_texels(place, *on_screen_[std::size_t(side)]));
     paint_picture(app, pictures_[std::size_t(side)], place, 0, 1);
     paint_lines(app, side, place);
     paint_handles(app, place);
@@ -114,7 +119,7 @@ void Panes::paint_wipe(App& app, const Place& place) {
   const float t = float(app.settings.wipe), edge = place.low.x + t * (place.high.x - place.low.x);
   for (int side = 0; side < 2; ++side) {
     const std::size_t i = std::size_t(side);
-    if (on_screen_[i]) pictures_[i].magnify(place.magnification() >= 2 && on_screen_[i]->coarseness == 1);
+    if (on_screen_[i]) pictures_[i].magnify(shows_texels(place, *on_screen_[i]));
     if (jobs_.pane(side).message) continue;
     draw->PushClipRect({side == 0 ? place.low.x : edge, place.low.y}, {side == 0 ? edge : place.high.x, place.high.y},
                        true);

@@ -7,6 +7,7 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -123,16 +124,29 @@ class Surface {
   ImFontAtlas no_fonts_;
 };
 
-// Waits until there is a reason for a frame: an event, a picture that came, a time that was asked for.
-void wait_for_reason(App& app, int& settling) {
-  if (app.animating || settling > 0) {
-    settling = app.animating ? 2 : settling - 1;
+// When the next frame is drawn.
+struct Pace {
+  int settling = 2;                // frames still to be drawn without a reason
+  double next = 0;                 // not before this time, unless there is something new
+  std::atomic<bool> woken{false};  // a picture came, or an errand was done
+};
+
+// Waits until there is a reason for a frame: an event, a picture that came, a time that was asked for. Of mouse
+// moves and animations there are no more than 60 frames a second: a driver without a display's rhythm would take
+// from the techniques what nobody sees.
+void wait_for_reason(App& app, Pace& pace) {
+  if (app.animating || pace.settling > 0) {
+    pace.settling = app.animating ? 2 : pace.settling - 1;
     glfwPollEvents();
-    return;
+    for (double rest = pace.next - glfwGetTime(); rest > 0 && !pace.woken; rest = pace.next - glfwGetTime())
+      glfwWaitEventsTimeout(rest);
+  } else {
+    const double rest = std::clamp(app.next_frame - glfwGetTime(), 0.0, 2.0);
+    glfwWaitEventsTimeout(std::max(rest, 0.001));
+    pace.settling = 1;  // ImGui shows some things a frame after the event
   }
-  const double rest = std::clamp(app.next_frame - glfwGetTime(), 0.0, 2.0);
-  glfwWaitEventsTimeout(std::max(rest, 0.001));
-  settling = 1;  // ImGui shows some things a frame after the event
+  pace.woken = false;
+  pace.next = glfwGetTime() + 1.0 / 60;
 }
 
 void draw_frame(App& app, Surface& surface) {
@@ -153,7 +167,8 @@ void draw_frame(App& app, Surface& surface) {
   glfwGetFramebufferSize(surface.get(), &width, &height);
   if (width <= 0 || height <= 0) return;
   glViewport(0, 0, width, height);
-  glClearColor(0, 0, 0, 1);
+  const ImVec4 back = ImGui::ColorConvertU32ToFloat4(app.look.palette.window);
+  glClearColor(back.x, back.y, back.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -187,10 +202,14 @@ struct ContextUsers {
 
 int run_window(const std::vector<Technique>& techniques, const WindowOptions& options) {
   StartTimes start(options.times);
+  Pace pace;  // outlives the threads that wake the window
   App app;
   app.techniques = techniques;
   app.settings.language = language_of_environment();
-  app.wake = [] { glfwPostEmptyEvent(); };
+  app.wake = [&pace] {
+    pace.woken = true;
+    glfwPostEmptyEvent();
+  };
   SessionStore store(options.keep_session ? state_folder() : std::nullopt,
                      options.keep_session ? config_folder() : std::nullopt);
   Placement place;
@@ -211,9 +230,8 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   FrameTimes times;
   Screenshot shot(options.screenshot);
   Measurement measurement(options.measure);
-  int settling = 2;
   for (bool first = true; !glfwWindowShouldClose(surface.get()); first = false) {
-    if (!first) wait_for_reason(app, settling);
+    if (!first) wait_for_reason(app, pace);
     times.begin();
     app.content_scale = options.scale > 0 ? options.scale : surface.content_scale();
     dress.fit(app);
