@@ -77,7 +77,10 @@ void draw_top_bar(App& app) {
                          {Do::language, l == Language::english ? "日本語" : "English"},
                          {Do::theme, "◐"},
                          {Do::help, "?"}};
-  const float rest_w = width_of(app, rest), files_w = width_of(app, files);
+  const float files_w = width_of(app, files);
+  // In a narrow window what has a key goes first: undo, redo, plan, mesh.
+  while (rest.size() > 3 && x - at.x + files_w + width_of(app, rest) > room) rest.erase(rest.begin());
+  const float rest_w = width_of(app, rest);
   const std::string name = title(app);
   const float name_room = room - (x - at.x) - rest_w - files_w - look.px(32);
   if (name_room > look.px(40)) {
