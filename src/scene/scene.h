@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/camera.h"
 #include "image/display.h"
+#include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
