@@ -16,6 +16,9 @@ namespace {
 
 ImVec2 middle(const Place& p) { return {0.5f * (p.low.x + p.high.x), 0.5f * (p.low.y + p.high.y)}; }
 
+// Pictures are mostly dark in either theme: what stands on them is white.
+constexpr ImU32 on_picture = IM_COL32(255, 255, 255, 255);
+
 glm::vec4 vector_of(ImU32 colour) {
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
   return {c.x, c.y, c.z, c.w};
@@ -60,7 +63,7 @@ std::string pixel_value(const DrawingHandle& drawing, const glm::dvec2& at) {
   return rounded(double(c.r), 3) + " " + rounded(double(c.g), 3) + " " + rounded(double(c.b), 3);
 }
 
-LineStyle style_of(const Palette& palette, float scale, Mark mark) {
+LineStyle style_of(float scale, Mark mark) {
   const float w = std::max(1.0f, scale);
   switch (mark) {
     case Mark::edge:
@@ -68,7 +71,7 @@ LineStyle style_of(const Palette& palette, float scale, Mark mark) {
     case Mark::face_normal:
       return {vector_of(IM_COL32(235, 238, 245, 235)), 0.12f, 1.3f * w};
     case Mark::vertex_normal:
-      return {vector_of(palette.accent), 0.12f, 1.3f * w};
+      return {vector_of(IM_COL32(120, 215, 225, 255)), 0.12f, 1.3f * w};
     case Mark::light:
       return {vector_of(IM_COL32(255, 244, 200, 130)), 0.35f, 1.1f * w};
     case Mark::selected_light:
@@ -130,7 +133,7 @@ void Panes::paint_wipe(App& app, const Place& place) {
   paint_handles(app, place);
   paint_cursor(app, place);
   const bool held = pointing_.on_wipe || gesture_.kind == Gesture::wipe;
-  const ImU32 colour = held ? app.look.palette.accent : IM_COL32(255, 255, 255, 200);
+  const ImU32 colour = held ? on_picture : faded(on_picture, 0.75f);
   draw->AddRectFilled({edge - app.look.px(1), place.low.y}, {edge + app.look.px(1), place.high.y}, colour);
   const ImVec2 knob{edge, middle(place).y};
   draw->AddCircleFilled(knob, app.look.px(7), colour, 24);
@@ -203,7 +206,7 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();
   call.clip = {low.x, low.y, high.x, high.y};
-  call.style = [palette = app.look.palette, scale = app.look.scale](Mark m) { return style_of(palette, scale, m); };
+  call.style = [scale = app.look.scale](Mark m) { return style_of(scale, m); };
   draw->AddCallback(&Panes::draw_lines, &call);
   draw->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
   draw->PopClipRect();
@@ -223,7 +226,7 @@ void Panes::paint_handles(App& app, const Place& place) {
         (gesture_.kind == Gesture::none && pointing_.handle && pointing_.handle->light == h.light &&
          pointing_.handle->grip == h.grip);
     const ImU32 colour = faded(colour_of(light), h.behind ? 0.4f : 1.0f);
-    const ImU32 ring = in_hand || h.light == app.light ? app.look.palette.accent : IM_COL32(255, 255, 255, 210);
+    const ImU32 ring = in_hand || h.light == app.light ? on_picture : faded(on_picture, 0.6f);
     const float size = h.grip == Grip::aim ? 0.7f * r : r;
     draw->AddCircle(at, size + app.look.px(2), IM_COL32(0, 0, 0, 150), 24, app.look.px(3));
     if (h.grip == Grip::place)
@@ -277,7 +280,7 @@ void Panes::paint_message(App& app, int side, const Place& place) {
   if (!pane.message) {
     if (pane.busy && pane.ms > 150) {  // how far a slow technique has come
       const float y = place.high.y - app.look.px(3), w = place.high.x - place.low.x;
-      draw->AddRectFilled({place.low.x, y}, {place.low.x + w * pane.fraction, place.high.y}, app.look.palette.accent);
+      draw->AddRectFilled({place.low.x, y}, {place.low.x + w * pane.fraction, place.high.y}, on_picture);
     }
     return;
   }
@@ -350,7 +353,7 @@ void Panes::paint_gain(App& app, const Place& place) {
   draw->AddRectFilled({at.x - pad, at.y}, {place.high.x - look.px(6), at.y + h}, IM_COL32(0, 0, 0, 130), look.px(4));
   ImGui::SetCursorScreenPos(at);
   double position = slider_position(*about, app.settings.gain);
-  if (slider(app, "gain", position, look.palette.accent, false, {w, h}))
+  if (slider(app, "gain", position, on_picture, false, {w, h}))
     app.settings.gain = slider_value(*about, position, false);
   if (wants_tooltip(app)) tooltip(app, about->label.in(app.language()), about->help.in(app.language()), "");
   set_text(draw, look.fonts.small_mono, {at.x + w + look.px(10), at.y + look.px(17)}, IM_COL32(240, 242, 248, 255),
@@ -387,7 +390,7 @@ void Panes::paint_worst(App& app, const Place& place) {
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 c = place.to_screen({d.worst_x + 0.5, d.worst_y + 0.5});
   draw->AddCircle(c, app.look.px(9), IM_COL32(0, 0, 0, 200), 24, app.look.px(4));
-  draw->AddCircle(c, app.look.px(9), app.look.palette.accent, 24, app.look.px(2));
+  draw->AddCircle(c, app.look.px(9), on_picture, 24, app.look.px(2));
   const std::string text = rounded(255 * d.max_error, 2) + "/255";
   set_text(draw, app.look.fonts.small_mono, {c.x + app.look.px(14), c.y + app.look.px(5)}, IM_COL32(255, 255, 255, 255),
            noted(app, text));
