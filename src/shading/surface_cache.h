@@ -1,6 +1,7 @@
 // Surfaces made once and shared: several techniques draw the same mesh by the same rule at the same time.
 #pragma once
 #include <algorithm>
+#include <functional>
 #include <future>
 #include <map>
 #include <mutex>
@@ -28,7 +29,7 @@ class SurfaceCache {
     } catch (...) {
       promise.set_exception(std::current_exception());
       const std::lock_guard lock(mutex_);
-      std::erase_if(meshes_[mesh], [&](const Entry& e) { return e.key == key; });
+      std::erase_if(meshes_[place_of(mesh)], [&](const Entry& e) { return e.key == key; });
       throw;
     }
   }
@@ -43,12 +44,22 @@ class SurfaceCache {
     Key key;
     std::shared_future<SurfaceHandle> surface;
   };
+  // A mesh that may be gone. The parts of a model may have one owner, the model, so the address counts as well.
+  struct Place {
+    std::weak_ptr<const Mesh> owner;
+    const Mesh* mesh;
+    bool operator<(const Place& other) const {
+      if (owner.owner_before(other.owner)) return true;
+      return !other.owner.owner_before(owner) && std::less<>()(mesh, other.mesh);
+    }
+  };
+  static Place place_of(const MeshHandle& mesh) { return {mesh, mesh.get()}; }
 
   // The surface where there is one; else an entry is added that `promise` is to fulfil.
   std::optional<std::shared_future<SurfaceHandle>> find_or_add(const MeshHandle& mesh, const Key& key,
                                                                std::promise<SurfaceHandle>& promise) {
     const std::lock_guard lock(mutex_);
-    std::vector<Entry>& entries = meshes_[mesh];  // the one used last stands last
+    std::vector<Entry>& entries = meshes_[place_of(mesh)];  // the one used last stands last
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
     if (found != entries.end()) {
       std::rotate(found, found + 1, entries.end());
@@ -56,13 +67,13 @@ class SurfaceCache {
     }
     if (entries.size() >= surfaces_a_mesh_) entries.erase(entries.begin());
     entries.push_back({key, promise.get_future().share()});
-    std::erase_if(meshes_, [](const auto& m) { return m.first.expired(); });
+    std::erase_if(meshes_, [](const auto& m) { return m.first.owner.expired(); });
     return std::nullopt;
   }
 
   std::mutex mutex_;
   std::size_t surfaces_a_mesh_;
-  std::map<std::weak_ptr<const Mesh>, std::vector<Entry>, std::owner_less<>> meshes_;
+  std::map<Place, std::vector<Entry>> meshes_;
 };
 
 // The program's own: what it holds never changes a result, only when it is computed.

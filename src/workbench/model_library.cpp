@@ -80,7 +80,7 @@ Extent extent_of(const Model& model) {
 Transform transform_of(const Model& model) {
   const Extent extent = extent_of(model);
   // A model that already fills the unit ball about the origin stays as it is.
-  if (extent.reach > 0.9 && extent.reach < 1.001) return {};
+  if (std::abs(extent.reach - 1) < 1e-3 && extent.radius > 0.9) return {};
   return fitting_transform(extent.centre, extent.radius);
 }
 

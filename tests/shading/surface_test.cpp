@@ -266,6 +266,14 @@ TEST(Surface, a_faces_last_corner_comes_last_in_its_triangles) {
   }
 }
 
+TEST(SurfaceCache, tells_meshes_of_one_owner_apart) {
+  SurfaceCache cache;
+  const auto model = std::make_shared<std::pair<MeshHandle, MeshHandle>>(shape("cube"), shape("plane"));
+  const MeshHandle first(model, model->first.get()), second(model, model->second.get());
+  EXPECT_EQ(cache.get(first, NormalRule::face, 180)->triangle_count(), 12u);
+  EXPECT_NE(cache.get(second, NormalRule::face, 180), cache.get(first, NormalRule::face, 180));
+}
+
 TEST(SurfaceCache, makes_each_surface_once_and_forgets_those_of_lost_meshes) {
   SurfaceCache cache(2);
   MeshHandle mesh = shape("cube");

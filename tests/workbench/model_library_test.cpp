@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "params/file.h"
 #include "params/input_error.h"
+#include "raster/software.h"
 #include "scene/shape.h"
 #include "tests/workbench/temporary_folder.h"
 #include "workbench/open.h"
@@ -40,6 +43,20 @@ TEST(ModelLibrary, BundledModelsOpenByName) {
     EXPECT_EQ(scene.objects.at(0).model, name);
     EXPECT_EQ(open_scene(std::filesystem::path(name).stem().string()).objects.size() > 0, true);
   }
+}
+
+// Seen from in front, as it was photographed: all of its parts, about the origin.
+TEST(ModelLibrary, TheCornellBoxFillsThePicture) {
+  const Scene scene = open_scene("cornell-box.obj");
+  ASSERT_EQ(scene.objects.size(), 8u);
+  EXPECT_GT(reach(scene), 0.99);
+  const Technique software = software_technique();
+  const View view{.width = 64, .height = 64, .ids = true};
+  Progress progress;
+  const Frame frame = software.render(scene, software.plan(scene, view), view, progress);
+  std::set<int> seen(frame.object.pixels().begin(), frame.object.pixels().end());
+  seen.erase(nothing);
+  EXPECT_GE(seen.size(), 7u);  // the ceiling or the light may be seen edge-on
 }
 
 TEST(ModelLibrary, UnknownNamesListWhatThereIs) {
