@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -253,7 +254,8 @@ TEST_F(ImageFileTest, StartsOnlyWhenItIsNeededAndAgainWhenItDied) {
   read_image(folder / "a.png", program);
   EXPECT_EQ(program.pid(), first);
   ::kill(first, SIGKILL);
-  std::this_thread::sleep_for(50ms);
+  siginfo_t ended;
+  ASSERT_EQ(::waitid(P_PID, id_t(first), &ended, WEXITED | WNOWAIT), 0);  // dead, and still the program's to notice
   EXPECT_EQ(read_image(folder / "a.png", program).info.width, 8);
   EXPECT_NE(program.pid(), first);
 }
