@@ -1,6 +1,7 @@
 // Reads Wavefront MTL into materials of the lecture's light model.
 // Source: Alias|Wavefront, "MTL material format", Advanced Visualizer Manual, file formats.
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "scene/model_file.h"
 #include "scene/text_scanner.h"
@@ -118,7 +119,7 @@ class MtlReader {
     if (!entry_) return;
     Material& m = entry_->material;
     if (entry_->illum == 0) {
-      m.emission += m.k_d;
+      m.emission = glm::min(m.emission + m.k_d, about(&Material::emission).range.max);
       m.k_a = m.k_d = glm::dvec3(0);
     }
     if (entry_->illum == 0 || entry_->illum == 1) m.k_s = glm::dvec3(0);

@@ -34,6 +34,7 @@ TEST(ReadMtl, IlluminationModels) {
   };
   EXPECT_EQ(with(0).emission, glm::dvec3(0.6));
   EXPECT_EQ(with(0).k_d, glm::dvec3(0));
+  EXPECT_EQ(read("newmtl m\nKe 1e9\nKd 1\nillum 0\n").at("m").emission, glm::dvec3(1e6));
   EXPECT_EQ(with(1).k_s, glm::dvec3(0));
   EXPECT_EQ(with(1).k_d, glm::dvec3(0.6));
   EXPECT_EQ(with(2).k_s, glm::dvec3(0.3));
