@@ -157,7 +157,7 @@ void draw_frame(App& app, Surface& surface) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = io.DeltaTime > 1e-4f ? std::min(io.DeltaTime, 0.25f) : 1e-4f;  // also after a suspend, also NaN
+  io.DeltaTime = frame_time(io.DeltaTime);
   ImGui::NewFrame();
   handle_keys(app, surface.take_keys());
   draw_window(app, io.DisplaySize);

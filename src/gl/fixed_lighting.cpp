@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <cfloat>
+#include <cmath>
 
 namespace cg {
 
@@ -16,7 +17,10 @@ struct Four {
   GLfloat v[4];
 };
 
-GLfloat limited(double x) { return GLfloat(std::min(std::max(x, -double(FLT_MAX)), double(FLT_MAX))); }
+// Within float's range; NaN becomes 0.
+GLfloat limited(double x) {
+  return std::isnan(x) ? 0 : GLfloat(std::min(std::max(x, -double(FLT_MAX)), double(FLT_MAX)));
+}
 
 Four four(const glm::dvec3& v, double w) { return {{limited(v.x), limited(v.y), limited(v.z), GLfloat(w)}}; }
 
@@ -24,10 +28,6 @@ double largest_column(const glm::dmat4& m) {
   double largest = 0;
   for (int c = 0; c < 3; ++c) largest = std::max(largest, length_and_unit(glm::dvec3(m[c])).length);
   return largest;
-}
-
-bool fades(const EyeLight<double>& light) {
-  return !light.directional && !(light.k_1 == 0 && light.k_2 == 0 && light.k_0 == 1);
 }
 
 bool is_far(const EyeLight<double>& light, double eye_unit) {
@@ -40,6 +40,15 @@ bool meets_zero_exponent_fault(double n, const EyeLighting<double>& lighting) {
   bool some = false;
   for (const EyeLight<double>& light : lighting.lights) some = some || !light.directional || light.spot_cosine > -2;
   return some && n < smallest_shininess;
+}
+
+// The emission, which also stands for a NaN that has no light as its cause: clamped, OpenGL would make it white, where
+// the other techniques make it black.
+Four emission_to_send(const EyeMaterial<double>& m, const EyeLighting<double>& lighting) {
+  Four emission = four(m.emission, 1);
+  for (int c = 0; c < 3; ++c)
+    if (std::isnan(m.emission[c] + lighting.ambient[c] * m.k_a[c])) emission.v[c] = lighting.clamp ? -FLT_MAX : NAN;
+  return emission;
 }
 
 struct Attenuation {
@@ -153,7 +162,7 @@ void send_material(const Material& material, ColorMaterial tracked, const EyeLig
   glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, four(m.k_a, 1).v);
   glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, four(m.k_d, 1).v);
   glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, four(m.k_s, 1).v);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, four(m.emission, 1).v);
+  glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission_to_send(m, lighting).v);
   const double n = meets_zero_exponent_fault(m.n, lighting) ? smallest_shininess : m.n;
   glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, GLfloat(std::min(n, largest_shininess)));
   if (tracked == ColorMaterial::off) return;
@@ -194,9 +203,6 @@ std::vector<Text> fixed_function_notes(const Scene& scene, const EyeLighting<dou
     if (is_far(light, 1))
       notes.push_back({"light " + i + " is so far away that it is sent as directional",
                        "光源 " + i + " は非常に遠いので平行光源として送る"});
-    if (fades(light) && light.k_0 == 0 && light.k_1 == 0 && light.k_2 == 0)
-      notes.push_back({"light " + i + " has the attenuation 0, 0, 0, a division by zero in OpenGL: sent as 1, 0, 0",
-                       "光源 " + i + " の減衰 0, 0, 0 は OpenGL ではゼロ除算になるので 1, 0, 0 として送る"});
   }
   return notes;
 }

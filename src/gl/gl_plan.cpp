@@ -4,6 +4,7 @@
 
 #include "gl/draw_list.h"
 #include "gl/fixed_lighting.h"
+#include "shading/light_notes.h"
 
 namespace cg {
 
@@ -121,12 +122,7 @@ void general_notes(const Scene& scene, const Counts& n, PlanMaker& p) {
   if (n.bad_normals > 0)
     p.note(counted(n.bad_normals, " vertices have no normal: no diffuse and no specular light there",
                    " 頂点に法線がなく、拡散光も鏡面光も計算されない"));
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Light& l = scene.lights[i];
-    if (l.enabled && l.kind != LightKind::directional && l.w != 0 && std::abs(l.w) < 1e-6)
-      p.note({"light " + std::to_string(i) + " has a w next to 0: taken as directional",
-              "光源 " + std::to_string(i) + " の w は 0 に近いので平行光源とみなす"});
-  }
+  for (Text& note : light_notes(scene)) p.note(std::move(note));
   if (ray_traced)
     p.note(Words{"k_r I_r and k_t I_t need ray tracing: left out",
                  "k_r I_r と k_t I_t はレイトレーシングが必要なので省く"});

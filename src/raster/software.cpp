@@ -2,7 +2,9 @@
 
 #include <ctime>
 #include <mutex>
+#include <string>
 
+#include "params/input_error.h"
 #include "raster/deferred_shading.h"
 #include "raster/software_plan.h"
 #include "shading/surface_cache.h"
@@ -47,6 +49,16 @@ double cpu_ms() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+// A picture beyond this would take gigabytes before its first pixel is drawn.
+constexpr std::size_t most_pixels = std::size_t(16384) * 16384;
+
+void refuse_beyond_limits(const View& view) {
+  if (view.width <= 0 || view.height <= 0 || std::size_t(view.width) * std::size_t(view.height) <= most_pixels) return;
+  const std::string size = std::to_string(view.width) + "x" + std::to_string(view.height);
+  throw InputError("size", {"a picture of " + size + " is too large", size + " の画像は大きすぎます"},
+                   Words{"at most as many pixels as 16384x16384", "16384x16384 の画素数以下にしてください"});
 }
 
 Frame empty_frame(const Scene& scene, const Plan& plan, const View& view) {
@@ -147,6 +159,7 @@ Technique software_technique() {
   t.plan = software_plan;
   t.render = [pool = std::make_shared<BufferPool>()](const Scene& scene, const Plan& plan, const View& view,
                                                      Progress& progress) {
+    refuse_beyond_limits(view);
     const double begin = cpu_ms();
     std::unique_ptr<Buffers> buffers = pool->take();
     Frame frame = scene.shading.precision == Precision::double_precision

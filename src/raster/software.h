@@ -5,7 +5,8 @@
 namespace cg {
 
 // id "software". Draws every scene whose meshes are loaded. Shading::precision is the type that lights and
-// interpolates; where a triangle falls in the picture is float in both, as it is in OpenGL.
+// interpolates; where a triangle falls in the picture is float in both, as it is in OpenGL. Refuses pictures of more
+// than 2^28 pixels.
 Technique software_technique();
 
 }  // namespace cg

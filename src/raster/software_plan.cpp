@@ -1,6 +1,7 @@
 #include "raster/software_plan.h"
 
 #include "raster/deferred_shading.h"
+#include "shading/light_notes.h"
 #include "shading/surface_cache.h"
 
 namespace cg {
@@ -122,6 +123,7 @@ void add_notes(const Scene& scene, const Counts& n, Plan& plan) {
   if (n.bad_normals > 0)
     plan.notes.push_back(counted(n.bad_normals, " vertices have no normal: no diffuse and no specular light there",
                                  " 頂点に法線がなく、拡散光も鏡面光も計算されない"));
+  for (Text& note : light_notes(scene)) plan.notes.push_back(std::move(note));
   bool ray_traced = false;
   for (const Object& o : scene.objects) {
     const Material& m = material_of(scene, o);

@@ -6,6 +6,7 @@
 #include "ui/number.h"
 #include "ui/parameter.h"
 #include "ui/widgets.h"
+#include "ui/window.h"
 #include "workbench/open.h"
 
 namespace cg {
@@ -114,6 +115,15 @@ TEST_F(ImGuiTest, WhatIsTypedIsCheckedByTheDescription) {
   EXPECT_EQ(scene.lights[0].cutoff, 180);
   ASSERT_EQ(app.toasts.size(), 1u);
   EXPECT_TRUE(app.toasts[0].error);
+}
+
+TEST(FrameTime, IsOneThatWidgetsSurvive) {
+  EXPECT_EQ(frame_time(0.02f), 0.02f);
+  for (const double measured : strange) {
+    const float t = frame_time(float(std::clamp(measured, -3e38, 3e38)));
+    EXPECT_TRUE(t >= 1e-4f && t <= 0.25f) << measured;
+  }
+  EXPECT_EQ(frame_time(HUGE_VALF), 0.25f);
 }
 
 TEST(Number, IsExactWhereItFitsAndShortElsewhere) {

@@ -96,9 +96,12 @@ TEST(Parameters, BothLanguagesAreThere) {
     if (const auto* choice = std::get_if<Choice>(&slot.value)) {
       for (const Name& name : choice->names) EXPECT_FALSE(name.label.en.empty() || name.label.ja.empty()) << slot.path;
     }
-    EXPECT_TRUE(slot.about->slider_range().min <= slot.about->slider_range().max) << slot.path;
-    // Widgets abort on ranges over half of float's.
-    EXPECT_LT(slot.about->slider_range().max, 1e38) << slot.path;
+    // Widgets abort on ranges over half of float's; NaN is not within either.
+    constexpr double half = std::numeric_limits<float>::max() / 2;
+    for (const Range range : {slot.about->range, slot.about->slider_range()}) {
+      EXPECT_TRUE(range.min >= -half && range.max <= half && range.min < range.max) << slot.path;
+      EXPECT_LE(range.max - range.min, half) << slot.path;
+    }
     EXPECT_TRUE(is_initial(slot) || slot.path.starts_with("objects")) << slot.path;
   }
 }
