@@ -125,6 +125,7 @@ void draw_triangle(const Band& band, const WindowVertex& v0, const WindowVertex&
   box.low_y = std::max(box.low_y, band.buffer->height - band.bottom);
   box.high_y = std::min(box.high_y, band.buffer->height - 1 - band.top);
   if (box.empty()) return;
+  box.low_x -= box.low_x % lanes;  // whole groups; the edges leave out what lies beside the triangle
   const std::int64_t area = std::int64_t(v1.snapped_x - v0.snapped_x) * std::int64_t(v2.snapped_y - v0.snapped_y) -
                             std::int64_t(v2.snapped_x - v0.snapped_x) * std::int64_t(v1.snapped_y - v0.snapped_y);
   if (area == 0) return;

@@ -59,7 +59,7 @@ void sort_into_bands(const Drawing& drawing, int height, int band_rows, int band
 
 void VisibilityBuffer::clear(int w, int h) {
   width = w, height = h;
-  stride = std::size_t(w) + lanes;
+  stride = std::size_t(w + lanes - 1) / lanes * lanes;
   depth.assign(stride * std::size_t(h), 1.0f);
   triangle.assign(stride * std::size_t(h), no_triangle);
 }

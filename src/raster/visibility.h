@@ -4,19 +4,24 @@
 // (z-buffer); Juan Pineda, A Parallel Algorithm for Polygon Rasterization, 1988 (edge functions);
 // The OpenGL Graphics System 2.1, section 3.5.1 (which pixels, which depth).
 #pragma once
+#include <tbb/cache_aligned_allocator.h>
+
 #include "raster/drawing.h"
 
 namespace cg {
 
-// Pixels eight at a time: rows are padded, so that a group may reach over the right edge.
+// Pixels eight at a time, in groups that begin at multiples of eight in every triangle: a processor reads what it
+// has just written without waiting only where it reads the same eight. Rows are padded to whole groups.
 inline constexpr int lanes = 8;
 
 // Row 0 is the top row, as in Image.
 struct VisibilityBuffer {
   int width = 0, height = 0;
   std::size_t stride = 0;
-  std::vector<float> depth;             // window depth; 1 where nothing is
-  std::vector<std::uint32_t> triangle;  // Drawing's number, or no_triangle
+  template <class T>
+  using Pixels = std::vector<T, tbb::cache_aligned_allocator<T>>;
+  Pixels<float> depth;             // window depth; 1 where nothing is
+  Pixels<std::uint32_t> triangle;  // Drawing's number, or no_triangle
 
   void clear(int w, int h);
   std::size_t row(int y) const { return std::size_t(y) * stride; }
