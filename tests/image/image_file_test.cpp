@@ -297,6 +297,7 @@ TEST_F(ImageFileTest, KilledAtAnyMomentGivesPixelsOrAMessage) {
   over = true;
   killer.join();
   EXPECT_GT(refused, 0);
+  error([&] { read_image(folder / "a.png", program); });  // the last kill may fall into this one
   EXPECT_EQ(read_image(folder / "a.png", program).info.width, 300);
 }
 
