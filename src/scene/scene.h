@@ -9,6 +9,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
+#include "scene/mistakes.h"
 #include "scene/shading.h"
 #include "scene/transform.h"
 
@@ -54,6 +55,7 @@ struct Scene {
   Camera camera;
   Shading shading;
   Display display;
+  Mistakes mistakes;
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
@@ -65,6 +67,7 @@ inline constexpr auto fields_of<Scene> = std::tuple{
     field(&Scene::camera, {.name = "camera", .label = {"Camera", "カメラ"}}),
     field(&Scene::shading, {.name = "shading", .label = {"Shading", "シェーディング"}}),
     field(&Scene::display, {.name = "display", .label = {"Display", "表示"}}),
+    field(&Scene::mistakes, {.name = "mistakes", .label = {"Break it on purpose", "わざと間違える"}}),
 };
 
 inline const Material& material_of(const Scene& scene, const Object& object) {
