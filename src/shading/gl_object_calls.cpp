@@ -1,0 +1,135 @@
+#include <algorithm>
+
+#include "shading/gl_call_list.h"
+
+namespace cg {
+
+namespace {
+
+// Mesa's fixed function has (N.L)^(N.L) for the highlight where the exponent is exactly 0 and a light has a position
+// or a cone (ffvertex_prog.c: emit_lit after a replicated N.L).
+bool meets_zero_exponent_fault(const Scene& scene, double n) {
+  if (!(n < gl_smallest_shininess)) return false;
+  for (const Light& light : scene.lights) {
+    if (!light.enabled) continue;
+    const bool directional = light.kind == LightKind::directional || std::abs(light.w) < 1e-6;
+    if (!directional || (light.kind == LightKind::spot && light.cutoff != 180)) return true;
+  }
+  return false;
+}
+
+bool is_tracked(const Scene& scene, ColorMaterial which) {
+  if (!follows_color(scene)) return false;
+  const ColorMaterial tracked = scene.shading.color_material;
+  const bool both = tracked == ColorMaterial::off || tracked == ColorMaterial::ambient_and_diffuse;
+  return tracked == which || (both && (which == ColorMaterial::ambient || which == ColorMaterial::diffuse));
+}
+
+void add_shininess(const Scene& scene, const Material& m, const std::string& path, GlCallList& list) {
+  GlCall& call = list.add("glMaterialf", {"GL_FRONT_AND_BACK", "GL_SHININESS"});
+  call.quantity = Quantity::specular;
+  call.numbers = {{.value = std::clamp(m.n, 0.0, gl_largest_shininess), .path = path + "n"}};
+  if (m.n > gl_largest_shininess)
+    call.notes.push_back(Words{"GL_SHININESS ends at 128: a larger n becomes 128",
+                               "GL_SHININESS は 128 まで：それより大きい n は 128 に"});
+  if (meets_zero_exponent_fault(scene, m.n)) {
+    call.numbers[0].value = gl_smallest_shininess;
+    call.notes.push_back(
+        Words{"n = 0 is written as 0.000001: some drivers get 0 wrong where a light has a position or a cone",
+              "n = 0 は 0.000001 と書く：位置か円錐のある光源で 0 を誤るドライバーがあるため"});
+  }
+  if (scene.shading.reflection == Reflection::reflection_vector)
+    call.notes.push_back(Words{"OpenGL has (N·H)^n here, not (R·V)^n: the same highlight needs about 4n",
+                               "OpenGL は (R·V)^n でなく (N·H)^n：同じ広がりには約 4n が必要"});
+}
+
+// The colour that the glColor of the mistake gives, where the scene itself has no colour material: k_d.
+void add_color(const Scene& scene, const Material& m, const std::string& path, GlCallList& list) {
+  const bool own = scene.shading.color_material != ColorMaterial::off;
+  GlCall& call = list.add("glColor3d", {});
+  call.numbers = vector_numbers(path + (own ? "color" : "k_d"), own ? m.color : m.k_d);
+  switch (scene.shading.color_material) {
+    case ColorMaterial::ambient:
+      call.quantity = Quantity::ambient;
+      break;
+    case ColorMaterial::specular:
+      call.quantity = Quantity::specular;
+      break;
+    case ColorMaterial::emission:
+      call.quantity = Quantity::emission;
+      break;
+    default:
+      call.quantity = Quantity::diffuse;
+  }
+  if (scene.mistakes.no_color_material) call.mistake = "no_color_material";
+}
+
+void add_material(const Scene& scene, int object, GlCallList& list) {
+  const Object& o = scene.objects[std::size_t(object)];
+  const Material& m = material_of(scene, o);
+  const std::string path = o.own_material ? "objects." + std::to_string(object) + ".material." : "material.";
+  const std::string variable = gl_material_variable(scene, object);
+  list.section = GlSection::material;
+  const std::size_t first = list.calls.size();
+  auto reflectance = [&](const char* token, const char* suffix, const char* name, const glm::dvec3& k, Quantity q) {
+    list.add_array("glMaterialfv", {"GL_FRONT_AND_BACK", token}, variable + suffix, path + name, k, fixed(1), q);
+  };
+  if (!is_tracked(scene, ColorMaterial::ambient))
+    reflectance("GL_AMBIENT", "_ambient", "k_a", m.k_a, Quantity::ambient);
+  if (!is_tracked(scene, ColorMaterial::diffuse))
+    reflectance("GL_DIFFUSE", "_diffuse", "k_d", m.k_d, Quantity::diffuse);
+  if (!is_tracked(scene, ColorMaterial::specular))
+    reflectance("GL_SPECULAR", "_specular", "k_s", m.k_s, Quantity::specular);
+  const bool some_emission = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& other) {
+    return other.visible && material_of(scene, other).emission != glm::dvec3(0);
+  });
+  if (some_emission && !is_tracked(scene, ColorMaterial::emission))
+    reflectance("GL_EMISSION", "_emission", "emission", m.emission, Quantity::emission);
+  add_shininess(scene, m, path, list);
+  if (follows_color(scene)) add_color(scene, m, path, list);
+  if (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0))
+    list.calls[first].notes.push_back(Words{"OpenGL has no k_r I_r and no k_t I_t: they need ray tracing",
+                                            "OpenGL に k_r I_r と k_t I_t はない：レイトレーシングが必要"});
+  for (std::size_t i = first; i < list.calls.size(); ++i) list.calls[i].object = object;
+}
+
+void add_transform(const Object& o, int object, GlCallList& list) {
+  const std::string path = "objects." + std::to_string(object) + ".transform.";
+  const Transform& t = o.transform;
+  list.section = GlSection::transform;
+  const std::size_t first = list.calls.size();
+  list.add("glPushMatrix", {});
+  if (t.translate != glm::dvec3(0))
+    list.add("glTranslated", {}).numbers = vector_numbers(path + "translate", t.translate);
+  for (int axis = 2; axis >= 0; --axis) {
+    if (t.rotate[axis] == 0) continue;
+    GlCall& call = list.add("glRotated", {});
+    call.numbers.push_back({.value = finite(t.rotate[axis]), .path = path + "rotate", .component = axis});
+    for (int i = 0; i < 3; ++i) call.numbers.push_back(fixed(i == axis));
+  }
+  if (t.scale != glm::dvec3(1)) list.add("glScaled", {}).numbers = vector_numbers(path + "scale", t.scale);
+  for (std::size_t i = first; i < list.calls.size(); ++i) list.calls[i].object = object;
+}
+
+}  // namespace
+
+void add_object_calls(const Scene& scene, GlCallList& list) {
+  int last = -1;  // whose material's calls stand last
+  for (int i = 0; i < int(scene.objects.size()); ++i) {
+    const Object& o = scene.objects[std::size_t(i)];
+    if (!o.visible) continue;
+    add_transform(o, i, list);
+    if (last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material) add_material(scene, i, list);
+    last = i;
+    list.section = GlSection::draw;
+    list.add("draw_mesh", {"mesh" + std::to_string(i)}).object = i;
+    list.section = GlSection::transform;
+    list.add("glPopMatrix", {}).object = i;
+  }
+}
+
+std::string gl_material_variable(const Scene& scene, int object) {
+  return scene.objects[std::size_t(object)].own_material ? "material" + std::to_string(object) : "material";
+}
+
+}  // namespace cg

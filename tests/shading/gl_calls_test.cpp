@@ -1,0 +1,116 @@
+// The list of OpenGL calls: each number is the parameter that it says it is, and what a student writes is there.
+#include "shading/gl_calls.h"
+
+#include <gtest/gtest.h>
+
+#include "params/slots.h"
+
+namespace cg {
+namespace {
+
+Scene rich_scene() {
+  Scene s;
+  s.objects.resize(3);
+  s.objects[0].transform = {{1, 2, 3}, {10, 20, 30}, {2, 3, 4}};
+  s.objects[1].own_material = true;
+  s.objects[1].material.emission = {0.1, 0.2, 0.3};
+  s.lights.resize(4);
+  s.lights[1] = {.kind = LightKind::spot, .position = {1, 2, 3}, .w = 2, .exponent = 4, .k_0 = 0.5, .k_1 = 1, .k_2 = 2};
+  s.lights[2] = {.kind = LightKind::directional, .position = {0, 1, 0}, .diffuse = {0.5, 0.25, 0}};
+  s.lights[3].enabled = false;
+  s.shading.local_viewer = s.shading.two_sided = true;
+  s.shading.clamp = false;
+  return s;
+}
+
+std::size_t count(const std::vector<GlCall>& calls, std::string_view function, std::string_view token = {}) {
+  return std::size_t(std::count_if(calls.begin(), calls.end(), [&](const GlCall& c) {
+    return !c.missing && c.function == function &&
+           (token.empty() || std::find(c.tokens.begin(), c.tokens.end(), token) != c.tokens.end());
+  }));
+}
+
+TEST(GlCalls, EachNumberIsItsParameter) {
+  std::vector<Scene> scenes(3, rich_scene());
+  scenes[1].camera.projection = Projection::orthographic;
+  scenes[1].shading.color_material = ColorMaterial::specular;
+  scenes[2].mistakes.no_color_material = true;
+  for (Scene& scene : scenes) {
+    const Slots all = slots(scene);
+    std::size_t numbers = 0;
+    for (const GlCall& call : gl_calls(scene))
+      for (const GlNumber& number : call.numbers) {
+        if (number.path.empty()) continue;
+        ++numbers;
+        const Slot& slot = find_slot(all, number.path);
+        if (number.component < 0) {
+          EXPECT_EQ(number.value, number.factor * **std::get_if<double*>(&slot.value)) << number.path;
+        } else {
+          EXPECT_EQ(number.value, (**std::get_if<glm::dvec3*>(&slot.value))[number.component]) << number.path;
+        }
+      }
+    EXPECT_GT(numbers, 100u);
+  }
+}
+
+TEST(GlCalls, SayWhatAStudentWrites) {
+  const std::vector<GlCall> calls = gl_calls(rich_scene());
+  EXPECT_EQ(count(calls, "glLightfv", "GL_POSITION"), 4u);
+  EXPECT_EQ(count(calls, "glDisable", "GL_LIGHT3"), 1u);
+  EXPECT_EQ(count(calls, "glLightf", "GL_SPOT_CUTOFF"), 1u);
+  EXPECT_EQ(count(calls, "glLightf", "GL_LINEAR_ATTENUATION"), 1u);
+  EXPECT_EQ(count(calls, "glRotated"), 3u);
+  EXPECT_EQ(count(calls, "glTranslated"), 1u);
+  EXPECT_EQ(count(calls, "glMaterialfv", "GL_DIFFUSE"), 3u);  // of the scene, of object 1, of the scene again
+  EXPECT_EQ(count(calls, "draw_mesh"), 3u);
+  EXPECT_EQ(count(calls, "glPushMatrix"), count(calls, "glPopMatrix"));
+  for (std::size_t i = 1; i < calls.size(); ++i)
+    if (calls[i].section != calls[i - 1].section && calls[i].section < GlSection::transform) {
+      EXPECT_LT(calls[i - 1].section, calls[i].section);
+    }
+  const auto position =
+      std::find_if(calls.begin(), calls.end(), [](const GlCall& c) { return c.variable == "light1_position"; });
+  ASSERT_NE(position, calls.end());
+  EXPECT_EQ(position->numbers.back(), (GlNumber{.value = 2, .path = "lights.1.w"}));
+}
+
+TEST(GlCalls, EndAtOpenGlsLimits) {
+  Scene s;
+  s.objects.resize(1);
+  s.lights.resize(12);
+  s.lights[0].enabled = false;
+  s.material.n = 1000;
+  const std::vector<GlCall> calls = gl_calls(s);
+  EXPECT_EQ(count(calls, "glEnable", "GL_LIGHT7"), 1u);
+  EXPECT_EQ(count(calls, "glEnable", "GL_LIGHT8"), 0u);
+  for (const GlCall& c : calls) {
+    if (c.function.empty()) {
+      EXPECT_NE(c.notes.at(0).en.find("3 more"), std::string::npos);
+    }
+    if (c.tokens == std::vector<std::string>{"GL_FRONT_AND_BACK", "GL_SHININESS"}) {
+      EXPECT_EQ(c.numbers[0].value, 128);
+      EXPECT_EQ(c.notes.size(), 1u);
+    }
+  }
+}
+
+// Each mistake has a guilty line on a scene that shows it, and none without.
+TEST(GlCalls, EachMistakeIsMarked) {
+  Scene scene = rich_scene();
+  scene.objects[0].transform.scale = {0.5, 0.5, 0.5};
+  for (const GlCall& c : gl_calls(scene)) EXPECT_TRUE(c.mistake.empty() && !c.missing);
+  for (const Slot& slot : slots(scene.mistakes)) {
+    if (slot.about->name == "no_gate" || slot.about->name == "long_light_vector") continue;  // in own_light_model.h
+    **std::get_if<bool*>(&slot.value) = true;
+    std::size_t marked = 0;
+    for (const GlCall& c : gl_calls(scene)) {
+      EXPECT_TRUE(c.mistake.empty() || c.mistake == slot.about->name);
+      marked += c.mistake == slot.about->name;
+    }
+    EXPECT_GT(marked, 0u) << slot.path;
+    **std::get_if<bool*>(&slot.value) = false;
+  }
+}
+
+}  // namespace
+}  // namespace cg
