@@ -34,6 +34,12 @@ constexpr std::array list{
     Action{Do::usual_size, {"Usual size", "標準の大きさ"}, "Ctrl 0", GLFW_KEY_0, true},
     Action{Do::language, {"日本語 / English", "日本語 / English"}, "L", GLFW_KEY_L},
     Action{Do::theme, {"Light or dark", "明るい・暗い配色"}, "D", GLFW_KEY_D},
+    Action{Do::lesson, {"Lesson", "授業"}, "S", GLFW_KEY_S},
+    Action{Do::world, {"The scene from outside", "外から見る"}, "O", GLFW_KEY_O},
+    Action{Do::mistakes, {"Break it on purpose", "わざと間違える"}, "K", GLFW_KEY_K},
+    Action{Do::presets, {"Presets A and B", "プリセット A・B"}, "A", GLFW_KEY_A},
+    Action{Do::challenge, {"Match a picture", "絵の再現"}, "H", GLFW_KEY_H},
+    Action{Do::code, {"Program", "プログラム"}, "C", GLFW_KEY_C},
     Action{Do::plan, {"Plan", "計画"}, "P", GLFW_KEY_P},
     Action{Do::mesh, {"Mesh", "メッシュ"}, "M", GLFW_KEY_M},
     Action{Do::help, {"Keys", "キー"}, "F1", GLFW_KEY_F1},
@@ -108,11 +114,17 @@ void perform(App& app, Do what) {
     case Do::theme:
       app.settings.theme = app.settings.theme == Theme::dark ? Theme::light : Theme::dark;
       break;
+    case Do::lesson:
+    case Do::world:
+    case Do::mistakes:
+    case Do::presets:
+    case Do::challenge:
     case Do::plan:
-      show_side(app, Side::plan);
-      break;
     case Do::mesh:
-      show_side(app, Side::mesh);
+      show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
+      break;
+    case Do::code:
+      app.settings.code = !app.settings.code;
       break;
     case Do::help:
       app.help = !app.help;

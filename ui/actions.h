@@ -28,8 +28,14 @@ enum class Do {
   usual_size,
   language,
   theme,
+  lesson,
+  world,
+  mistakes,
+  presets,
+  challenge,
   plan,
   mesh,
+  code,
   turntable,
   help
 };

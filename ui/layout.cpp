@@ -81,8 +81,13 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   });
   area(app, "side", {size.x - right, bar + 1}, {right, middle_h - 1}, p.panel, {look.px(14), look.px(10)}, true,
        [&] { draw_side_panel(app); });
-  area(app, "strip", {left + 1, bar + middle_h}, {size.x - left - 1, strip}, p.panel, {look.px(16), look.px(10)}, false,
+  // The listing stands beside the equation where both have room.
+  const float below = size.x - left - 1, equation_w = look.px(620);
+  const float code_w = s.code && below >= equation_w + look.px(280) ? below - equation_w : 0;
+  area(app, "strip", {left + 1, bar + middle_h}, {below - code_w, strip}, p.panel, {look.px(16), look.px(10)}, false,
        [&] { draw_strip(app); });
+  area(app, "code", {size.x - code_w, bar + middle_h}, {code_w, strip}, p.panel, {look.px(12), look.px(10)}, true,
+       [&] { draw_code_panel(app); });
 
   splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, size.y - bar}, true, s.left_width, 1,
            range_of_setting(&Settings::left_width));

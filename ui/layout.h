@@ -18,7 +18,16 @@ void draw_top_bar(App& app);
 void draw_parameters(App& app);
 void draw_view_bar(App& app);
 void draw_side_panel(App& app);
-void draw_strip(App& app);
+void draw_strip(App& app);       // the equation
+void draw_code_panel(App& app);  // the listing, right of it
+// What the side panel shows, by Side.
+void draw_lesson_panel(App& app);
+void draw_world_panel(App& app);
+void draw_mistakes_panel(App& app);
+void draw_presets_panel(App& app);
+void draw_challenge_panel(App& app);
+void draw_plan_panel(App& app);
+void draw_mesh_panel(App& app);
 // On top of all: what was to be said, the list of shortcuts, the dialogues.
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);

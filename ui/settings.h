@@ -13,10 +13,16 @@ template <>
 inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
 
 // What the right side shows.
-enum class Side { none, plan, mesh };
+enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh };
 template <>
-inline constexpr std::array<Name, 3> names_of<Side>{
-    {{"none", {"Closed", "閉じる"}}, {"plan", {"Plan", "計画"}}, {"mesh", {"Mesh", "メッシュ"}}}};
+inline constexpr std::array<Name, 8> names_of<Side>{{{"none", {"Closed", "閉じる"}},
+                                                     {"lesson", {"Lesson", "授業"}},
+                                                     {"world", {"World", "外から"}},
+                                                     {"mistakes", {"Mistakes", "間違い"}},
+                                                     {"presets", {"A | B", "A | B"}},
+                                                     {"challenge", {"Match", "再現"}},
+                                                     {"plan", {"Plan", "計画"}},
+                                                     {"mesh", {"Mesh", "メッシュ"}}}};
 
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
@@ -36,6 +42,7 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
+  bool code = true;                                                // the listing, beside the equation
   double left_width = 312, right_width = 320, strip_height = 132;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -87,6 +94,9 @@ inline constexpr auto fields_of<Settings> = std::tuple{
                                      .slider = Range{0, 0.5},
                                      .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
     field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
+    field(&Settings::code, {.name = "code",
+                            .label = {"Program", "プログラム"},
+                            .help = {"Shows the scene as OpenGL calls.", "シーンを OpenGL の呼び出しとして示す。"}}),
     field(&Settings::left_width, {.name = "left_width", .range = {220, 600}, .label = {"Left width", "左の幅"}}),
     field(&Settings::right_width, {.name = "right_width", .range = {220, 800}, .label = {"Right width", "右の幅"}}),
     field(&Settings::strip_height,

@@ -72,13 +72,14 @@ void draw_top_bar(App& app) {
   const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture)};
   std::vector<Item> rest{{Do::undo, std::string(action(Do::undo).label.in(l)), false, app.history.can_undo()},
                          {Do::redo, std::string(action(Do::redo).label.in(l)), false, app.history.can_redo()},
+                         {Do::lesson, std::string(action(Do::lesson).label.in(l)), app.settings.side == Side::lesson},
+                         {Do::code, std::string(action(Do::code).label.in(l)), app.settings.code},
                          {Do::plan, std::string(action(Do::plan).label.in(l)), app.settings.side == Side::plan},
-                         {Do::mesh, std::string(action(Do::mesh).label.in(l)), app.settings.side == Side::mesh},
                          {Do::language, l == Language::english ? "日本語" : "English"},
                          {Do::theme, "◐"},
                          {Do::help, "?"}};
   const float files_w = width_of(app, files);
-  // In a narrow window what has a key goes first: undo, redo, plan, mesh.
+  // In a narrow window what has a key goes first: undo, redo, lesson, program, plan.
   while (rest.size() > 3 && x - at.x + files_w + width_of(app, rest) > room) rest.erase(rest.begin());
   const float rest_w = width_of(app, rest);
   const std::string name = title(app);
