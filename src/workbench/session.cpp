@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t recent_limit = 12;
 constexpr double seconds_between_saves = 2;
 constexpr const char *session_name = "session.json", *previous_name = "session.previous.json",
-                     *settings_name = "settings.json";
+                     *unopened_name = "unopened-scene.json", *settings_name = "settings.json";
 
 // Fowler, Noll and Vo's hash FNV-1a, 64 bits, in hexadecimal: a flipped bit anywhere shows.
 std::string checksum(std::string_view text) {
@@ -75,6 +75,15 @@ void take(Session& session, const Tree& tree) {
       if (name.string() && session.recent.size() < recent_limit) session.recent.push_back(*name.string());
   if (const Tree* window = tree.find("window")) session.window = *window;
   if (const Tree* scene = tree.find("scene")) session.scene = scene_of(*scene, "session");
+}
+
+// A scene that does not open today may open tomorrow (a folder that was not mounted): what is saved from now on must
+// not be its end. Returns a sentence that says where it is.
+Text keep_unopened(const Tree& content, const fs::path& file) try {
+  save_file(file, to_json(*content.find("scene")) + "\n");
+  return {" It is kept as " + file.string() + ".", file.string() + " に残してあります。"};
+} catch (const InputError&) {
+  return {};
 }
 
 }  // namespace
@@ -130,8 +139,9 @@ Session SessionStore::load() {
   try {
     if (content) take(session, *content);
   } catch (const InputError& e) {
-    say({"The last scene cannot be opened: " + e.message(Language::english) + ".",
-         "前回のシーンを開けません：" + e.message(Language::japanese) + "。"});
+    const Text kept = lock_ >= 0 ? keep_unopened(*content, *state_ / unopened_name) : Text{};
+    say({"The last scene cannot be opened: " + e.message(Language::english) + "." + kept.en,
+         "前回のシーンを開けません：" + e.message(Language::japanese) + "。" + kept.ja});
   }
   return session;
 }

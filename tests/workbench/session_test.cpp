@@ -11,6 +11,7 @@
 #include "tests/workbench/temporary_folder.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
+#include "workbench/preset.h"
 
 namespace cg {
 namespace {
@@ -108,6 +109,12 @@ TEST_F(SessionTest, AModelThatIsGoneIsSaid) {
   EXPECT_FALSE(session.scene);
   EXPECT_EQ(session.source, "cube");
   EXPECT_NE(messages.find("t.obj"), std::string::npos) << messages;
+
+  // Twice saved since, the scene is still there, and opens when its model has come back.
+  save(sample(2)), save(sample(3));
+  save_file(folder / "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Scene kept = read_preset(folder / "state/shadebench/unopened-scene.json");
+  EXPECT_EQ(kept.objects.at(0).mesh->triangles().size(), 1u);
 }
 
 TEST_F(SessionTest, WithoutFoldersNothingIsSavedAndThatIsSaid) {
