@@ -1,0 +1,61 @@
+#include "workbench/listing.h"
+
+#include "workbench/listing_lines.h"
+
+namespace cg {
+
+namespace {
+
+// The function of a GLUT program where the calls of a section stand.
+std::string_view function_of(GlSection section) {
+  switch (section) {
+    case GlSection::state:
+    case GlSection::light_model:
+      return "init()";
+    case GlSection::projection:
+      return "reshape()";
+    case GlSection::mesh:
+      return "draw_mesh()";
+    default:
+      return "display()";
+  }
+}
+
+// Calls that stand together, without a gap: of one section, of one light, of one object.
+bool together(const GlCall& a, const GlCall& b) {
+  if (a.object >= 0 || b.object >= 0) return a.object == b.object;
+  return a.section == b.section && a.light == b.light;
+}
+
+void add_call(const GlCall& call, Language language, std::vector<ListingLine>& lines) {
+  for (ListingLine& comment : comments(call, language)) lines.push_back(std::move(comment));
+  if (call.function.empty()) return;
+  ListingLine line = statement(call);
+  if (call.missing) {
+    line.text = "/* " + line.text + " */";
+    line.numbers.clear();
+    line.comment = true;
+  } else if (!call.variable.empty()) {
+    lines.push_back(declaration(call));
+  }
+  lines.push_back(std::move(line));
+}
+
+}  // namespace
+
+Listing listing(const Scene& scene, Language language) {
+  Listing out;
+  const GlCall* before = nullptr;
+  const std::vector<GlCall> calls = gl_calls(scene);
+  for (const GlCall& call : calls) {
+    const std::string_view function = function_of(call.section);
+    const bool new_function = !before || function_of(before->section) != function;
+    if (before && (new_function || !together(*before, call))) out.lines.emplace_back();
+    if (new_function) out.lines.push_back(comment_line(function));
+    add_call(call, language, out.lines);
+    before = &call;
+  }
+  return out;
+}
+
+}  // namespace cg
