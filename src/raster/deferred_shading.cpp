@@ -47,35 +47,6 @@ void mark(std::uint8_t& bits, std::uint8_t bit) {
   if ((shared.load(std::memory_order_relaxed) & bit) == 0) shared.fetch_or(bit, std::memory_order_relaxed);
 }
 
-// The weights of the source triangle's own vertices, where the visible one was cut from it.
-template <class Real>
-Vec3<Real> of_source(const std::array<glm::vec3, 3>& weights, const Vec3<Real>& w) {
-  return w.x * Vec3<Real>(weights[0]) + w.y * Vec3<Real>(weights[1]) + w.z * Vec3<Real>(weights[2]);
-}
-
-// A visible triangle, set up for its pixels: three values at its vertices, interpolated.
-template <class Real>
-class TrianglePixels {
- public:
-  TrianglePixels(const DrawnObject& object, std::uint32_t id, const std::array<const WindowVertex*, 3>& window)
-      : weights_(window), cut_(object.is_clipped(id) ? &object.clipped_triangle(id).weights : nullptr) {}
-
-  Vec3<Real> weights(int x, int y) const {
-    const Vec3<Real> w = weights_.at(x, y);
-    return cut_ ? of_source(*cut_, w) : w;
-  }
-
- private:
-  TriangleWeights<Real> weights_;
-  const std::array<glm::vec3, 3>* cut_;
-};
-
-template <class Real>
-Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
-  // The differences, so that a constant stays exactly itself.
-  return a + (weights.y * (b - a) + weights.z * (c - a));
-}
-
 // Writes a pixel; returns 1 where it was not a number. A sliver's weights may carry a colour beyond float's range.
 template <class Real>
 [[gnu::always_inline]] inline std::size_t write(glm::vec3& pixel, const Vec3<Real>& colour) {

@@ -49,4 +49,11 @@ struct Drawing {
   }
 };
 
+// The first steps of a picture. The visible objects, each with its surface and matrices;
+void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing);
+// their vertices in the window;
+void transform_objects(const Viewport& viewport, Workers& workers, Drawing& drawing);
+// what the view volume cuts, where `clip` says that something may be cut, and every triangle's number.
+void clip_objects(const Viewport& viewport, bool clip, Workers& workers, Drawing& drawing);
+
 }  // namespace cg

@@ -41,6 +41,35 @@ class TriangleWeights {
   Real x_ = 0, y_ = 0, b_dx_ = 0, b_dy_ = 0, c_dx_ = 0, c_dy_ = 0, w_a_ = 1, w_b_ = 1, w_c_ = 1;
 };
 
+// The weights of the source triangle's own vertices, where the visible one was cut from it.
+template <class Real>
+Vec3<Real> of_source(const std::array<glm::vec3, 3>& weights, const Vec3<Real>& w) {
+  return w.x * Vec3<Real>(weights[0]) + w.y * Vec3<Real>(weights[1]) + w.z * Vec3<Real>(weights[2]);
+}
+
+// A visible triangle, set up for its pixels: three values at its vertices, interpolated.
+template <class Real>
+class TrianglePixels {
+ public:
+  TrianglePixels(const DrawnObject& object, std::uint32_t id, const std::array<const WindowVertex*, 3>& window)
+      : weights_(window), cut_(object.is_clipped(id) ? &object.clipped_triangle(id).weights : nullptr) {}
+
+  Vec3<Real> weights(int x, int y) const {
+    const Vec3<Real> w = weights_.at(x, y);
+    return cut_ ? of_source(*cut_, w) : w;
+  }
+
+ private:
+  TriangleWeights<Real> weights_;
+  const std::array<glm::vec3, 3>* cut_;
+};
+
+template <class Real>
+Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) {
+  // The differences, so that a constant stays exactly itself.
+  return a + (weights.y * (b - a) + weights.z * (c - a));
+}
+
 // Is the front face seen: counter-clockwise in the window (glFrontFace( GL_CCW )).
 inline bool is_front_face(const std::array<const WindowVertex*, 3>& v) {
   const std::int64_t x1 = v[1]->snapped_x - v[0]->snapped_x, y1 = v[1]->snapped_y - v[0]->snapped_y;

@@ -7,7 +7,6 @@
 #include "params/input_error.h"
 #include "raster/deferred_shading.h"
 #include "raster/software_plan.h"
-#include "shading/surface_cache.h"
 
 namespace cg {
 
@@ -72,32 +71,6 @@ Frame empty_frame(const Scene& scene, const Plan& plan, const View& view) {
   return f;
 }
 
-// The visible objects, each with its surface and matrices; their triangles are numbered later, after clipping.
-void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
-  const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const Object& object = scene.objects[i];
-    workers.check();
-    if (!object.visible || !object.mesh) continue;
-    if (used == drawing.objects.size()) drawing.objects.emplace_back();
-    DrawnObject& o = drawing.objects[used++];
-    o.index = int(i);
-    o.surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
-    o.to_eye = surface_to_eye(scene, object, *o.surface);
-    o.to_clip = surface_to_clip(projection, glm::mat4(o.to_eye));
-  }
-  drawing.objects.resize(used);
-}
-
-void number_triangles(Drawing& drawing) {
-  std::uint32_t next = 0;
-  for (DrawnObject& o : drawing.objects) {
-    o.first = next;
-    o.end = next += std::uint32_t(o.surface->triangle_count() + o.clipped.size());
-  }
-}
-
 template <class Real>
 void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing, DeferredShading<Real>& shading) {
   shading.mode = plan.runs("face-lighting")     ? ShadingMode::flat
@@ -124,14 +97,8 @@ Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& pro
   const Viewport viewport(view.width, view.height);
 
   gather_objects(scene, view, workers, drawing);
-  for (DrawnObject& o : drawing.objects)
-    o.outside = transform_vertices(o.surface->positions, o.to_clip, viewport, workers, o.vertices);
-  for (DrawnObject& o : drawing.objects) {
-    o.clipped.clear();
-    if (plan.runs("clip") && o.outside != 0)
-      clip_triangles(*o.surface, o.to_clip, viewport, o.vertices, workers, o.clipped);
-  }
-  number_triangles(drawing);
+  transform_objects(viewport, workers, drawing);
+  clip_objects(viewport, plan.runs("clip"), workers, drawing);
   workers.done(0.1f);
 
   buffers.visibility.clear(view.width, view.height);

@@ -92,4 +92,21 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
   });
 }
 
+std::uint32_t visible_at(const Drawing& drawing, int width, int height, int x, int y) {
+  // A buffer whose rows are all the same one, as only the pixel's is drawn to.
+  VisibilityBuffer row;
+  row.clear(width, 1);
+  row.height = height, row.stride = 0;
+  const int from_bottom = height - 1 - y;
+  for (const DrawnObject& object : drawing.objects)
+    for_each_triangle(object, {0, object.surface->triangle_count()},
+                      [&](const WindowVertex& v0, const WindowVertex& v1, const WindowVertex& v2, std::uint32_t id) {
+                        const PixelBox box = pixel_box(v0, v1, v2);
+                        const bool near_it =
+                            box.low_x <= x && x <= box.high_x && box.low_y <= from_bottom && from_bottom <= box.high_y;
+                        if (near_it) draw_triangle({&row, y, y + 1}, v0, v1, v2, id);
+                      });
+  return row.triangle[std::size_t(x)];
+}
+
 }  // namespace cg

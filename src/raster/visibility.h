@@ -31,4 +31,8 @@ struct VisibilityBuffer {
 // GL_LESS. Both faces are drawn.
 void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out);
 
+// The same for the pixel (x, y) of a picture of width x height, row 0 at the top: the number of its triangle, or
+// no_triangle.
+std::uint32_t visible_at(const Drawing& drawing, int width, int height, int x, int y);
+
 }  // namespace cg

@@ -75,6 +75,16 @@ Real lobe_power(const Vec3<Real>& a, const Vec3<Real>& b, Real cosine, Real n) {
   return std::min(std::pow(cosine, n), Real(1e30));
 }
 
+// H and R of the two highlights. `n_dot_l` is N.L.
+template <class Real>
+Vec3<Real> half_vector(const Vec3<Real>& L, const Vec3<Real>& V) {
+  return unit(L + V);
+}
+template <class Real>
+Vec3<Real> reflection_vector(const Vec3<Real>& N, const Vec3<Real>& L, Real n_dot_l) {
+  return Real(2) * n_dot_l * N - L;
+}
+
 // `P` the point, `N` its normal (unit where the scene normalises), `V` the unit vector towards the viewer; all
 // in eye space.
 template <class Real>
@@ -98,11 +108,11 @@ LightFactors<Real> light_factors(const EyeLight<Real>& light, Reflection reflect
   if (!(cosine > Real(0))) return f;  // behind the surface, or NaN: no diffuse and, as OpenGL, no specular term
   f.n_dot_l = cosine;
   if (reflection == Reflection::half_vector) {
-    const Vec3<Real> H = unit(f.L + V);
+    const Vec3<Real> H = half_vector(f.L, V);
     f.lobe_cosine = positive(glm::dot(N, H));
     f.lobe = lobe_power(N, H, f.lobe_cosine, n);
   } else {
-    const Vec3<Real> R = Real(2) * cosine * N - f.L;
+    const Vec3<Real> R = reflection_vector(N, f.L, cosine);
     f.lobe_cosine = positive(glm::dot(R, V));
     f.lobe = lobe_power(R, V, f.lobe_cosine, n);
   }

@@ -1,0 +1,39 @@
+#include "raster/drawing.h"
+
+#include "shading/surface_cache.h"
+
+namespace cg {
+
+void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
+  const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    workers.check();
+    if (!object.visible || !object.mesh) continue;
+    if (used == drawing.objects.size()) drawing.objects.emplace_back();
+    DrawnObject& o = drawing.objects[used++];
+    o.index = int(i);
+    o.surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    o.to_eye = surface_to_eye(scene, object, *o.surface);
+    o.to_clip = surface_to_clip(projection, glm::mat4(o.to_eye));
+  }
+  drawing.objects.resize(used);
+}
+
+void transform_objects(const Viewport& viewport, Workers& workers, Drawing& drawing) {
+  for (DrawnObject& o : drawing.objects)
+    o.outside = transform_vertices(o.surface->positions, o.to_clip, viewport, workers, o.vertices);
+}
+
+void clip_objects(const Viewport& viewport, bool clip, Workers& workers, Drawing& drawing) {
+  std::uint32_t next = 0;
+  for (DrawnObject& o : drawing.objects) {
+    o.clipped.clear();
+    if (clip && o.outside != 0) clip_triangles(*o.surface, o.to_clip, viewport, o.vertices, workers, o.clipped);
+    o.first = next;
+    o.end = next += std::uint32_t(o.surface->triangle_count() + o.clipped.size());
+  }
+}
+
+}  // namespace cg
