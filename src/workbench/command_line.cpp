@@ -51,6 +51,7 @@ class Parser {
     add_window();
     add_render();
     add_compare();
+    add_probe();
     add_plan();
   }
 
@@ -172,6 +173,15 @@ class Parser {
         {"The difference in a png or jpg is multiplied by this, 32", "png、jpg に書く差の倍率。既定は 32"});
     add(app, "--max-error", arguments.max_error, "E",
         {"Exit with 1 where the largest error is over E: 2/255", "最大誤差が E を超えたら終了状態を 1 にする：2/255"});
+    add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+    add_threads(app);
+  }
+
+  void add_probe() {
+    CLI::App& app = add_command(
+        "probe", {"What the colour of one pixel is made of", "一つの画素の色を、式の各項の数値で示す"}, run_probe);
+    add(app, "--pixel", arguments.pixel, "X,Y", {"The pixel; 0,0 is the top-left one", "画素。左上が 0,0"});
+    add_technique(app);
     add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
     add_threads(app);
   }

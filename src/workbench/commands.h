@@ -14,6 +14,7 @@ struct Arguments {
   std::vector<std::string> set;  // path=value, in order
   std::string technique, left, right;
   std::string size, threads, max_error, gain;
+  std::string pixel;  // x,y
   std::string output;
   bool json = false;
 };
@@ -23,6 +24,9 @@ int run_render(const Arguments& arguments, std::span<const Technique> techniques
 
 // Two techniques' pictures compared: figures on stdout, the difference into a file. 1 where --max-error is exceeded.
 int run_compare(const Arguments& arguments, std::span<const Technique> techniques, Language language);
+
+// What the colour of one pixel is made of.
+int run_probe(const Arguments& arguments, std::span<const Technique> techniques, Language language);
 
 // The passes that a technique runs for the scene, those that it leaves out, and why.
 int run_plan(const Arguments& arguments, std::span<const Technique> techniques, Language language);

@@ -191,5 +191,21 @@ TEST_F(CommandTest, WithoutADisplayItComparesTheFirstScene) {
     EXPECT_TRUE(std::filesystem::exists(folder / ".cache/shadebench" / name)) << name;
 }
 
+TEST_F(CommandTest, ProbeSaysWhatAPixelIsMadeOf) {
+  const Outcome o = run({"probe", "teapot", "--pixel", "30,24", "--size", "64x48", "--json"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  const Tree tree = parse_json(o.out, "probe");
+  for (const char* key : {"pixel", "technique", "terms", "sum", "clamped", "frame", "covered", "N", "V", "lights"})
+    EXPECT_TRUE(tree.find(key)) << key;
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(*tree.find("clamped")->list()->at(c).number(), *tree.find("frame")->list()->at(c).number(), 1e-5);
+  EXPECT_NE(run({"probe", "teapot", "--pixel", "30,24"}).out.find("in the picture"), std::string::npos);
+  EXPECT_NE(run({"probe", "teapot", "--pixel", "30,24"}, {{"LANG", "ja_JP.UTF-8"}}).out.find("画像の値"),
+            std::string::npos);
+  for (const char* pixel : {"", "3", "3,", "-1,3", "64,3", "3,48", "a,b", "3,4,5"})
+    EXPECT_NE(mistake({"probe", "teapot", "--size", "64x48", "--pixel", pixel}).find("63,47"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cg
