@@ -12,7 +12,7 @@ namespace cg {
 
 namespace {
 
-double ms_between(Measurement::Clock::time_point a, Measurement::Clock::time_point b) {
+double ms_between(WindowMeasurement::Clock::time_point a, WindowMeasurement::Clock::time_point b) {
   return std::chrono::duration<double, std::milli>(b - a).count();
 }
 
@@ -36,7 +36,7 @@ void print_figures(const char* what, std::vector<double> ms) {
 
 }  // namespace
 
-void Measurement::change(App& app) {
+void WindowMeasurement::change(App& app) {
   if (seconds_ <= 0 || state_ == State::over) return;
   frame_start_ = Clock::now();
   cpu_start_ = thread_cpu_ms();
@@ -54,7 +54,7 @@ void Measurement::change(App& app) {
   app.scene.material.k_d = glm::dvec3(0.5 + 0.4 * std::sin(4 * t));
 }
 
-void Measurement::drawn(App& app) {
+void WindowMeasurement::drawn(App& app) {
   if (seconds_ <= 0 || state_ != State::dragging) return;
   drawn_at_ = Clock::now();
   frame_.push_back(ms_between(frame_start_, drawn_at_));
@@ -69,7 +69,7 @@ void Measurement::drawn(App& app) {
   app.animating = true;
 }
 
-void Measurement::shown(App& app) {
+void WindowMeasurement::shown(App& app) {
   if (seconds_ <= 0 || state_ != State::dragging) return;
   const Clock::time_point now = Clock::now();
   swap_.push_back(ms_between(drawn_at_, now));
@@ -84,7 +84,7 @@ void Measurement::shown(App& app) {
   }
 }
 
-void Measurement::print(const App& app) const {
+void WindowMeasurement::print(const App& app) const {
   if (seconds_ <= 0 || !app.panes) return;
   for (int side = 0; side < 2; ++side) {
     const DrawingHandle& drawing = app.panes->on_screen(side);

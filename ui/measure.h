@@ -9,12 +9,12 @@ namespace cg {
 
 struct App;
 
-class Measurement {
+class WindowMeasurement {
  public:
   using Clock = std::chrono::steady_clock;
 
   // `seconds` of dragging; 0: no measurement, and all functions do nothing.
-  explicit Measurement(double seconds) : seconds_(seconds) {}
+  explicit WindowMeasurement(double seconds) : seconds_(seconds) {}
 
   // Before a frame's widgets: changes k_d as its slider would, once both pictures are there.
   void change(App& app);

@@ -229,7 +229,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   start.mark("window");
   FrameTimes times;
   Screenshot shot(options.screenshot);
-  Measurement measurement(options.measure);
+  WindowMeasurement measurement(options.measure);
   for (bool first = true; !glfwWindowShouldClose(surface.get()); first = false) {
     if (!first) wait_for_reason(app, pace);
     times.begin();
