@@ -2,7 +2,7 @@
 
 #include "gl/check.h"
 #include "gl/cpu_time.h"
-#include "gl/fixed_lighting.h"
+#include "gl/fixed_extremes.h"
 #include "gl/gl_plan.h"
 #include "params/input_error.h"
 #include "shading/clip_position.h"
@@ -68,52 +68,109 @@ void draw_numbered(const Surface& surface, int draw_number) {
 
 }  // namespace
 
+struct FixedRenderer::Picture {
+  const Scene& scene;
+  const Plan& plan;
+  Progress& progress;
+  std::vector<GlCall> calls;
+  std::vector<DrawItem> items;
+  EyeLighting<double> lighting;
+  double aspect;
+  MeshBody body;
+  bool as_listed;  // the lights
+};
+
 Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& view, Progress& progress) {
   if (auto why = unsupported_by_fixed_function(scene)) throw InputError("gl-fixed", *why);
   throw_if_cancelled(progress);
-  const std::vector<DrawItem> items = draw_list(scene, view);
-  const EyeLighting<double> lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
-  const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  Picture picture{scene, plan, progress, gl_calls(scene), draw_list(scene, view), {}, {}, {}, {}};
+  picture.lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
+  picture.aspect = double(view.width) / double(view.height);
+  picture.body = mesh_body(picture.calls);
+  picture.as_listed = lights_as_listed(scene, picture.lighting, picture.items);
   const bool normalize = scene.shading.normal_length == NormalLength::normalize;
-  for (const DrawItem& item : items) buffers_.get(item.surface, normalize);
+  for (const DrawItem& item : picture.items) buffers_.get(item.surface, normalize);
   throw_if_cancelled(progress);
 
   target_.bind(view.width, view.height, {});
   Frame frame = empty_frame(view);
-  const double start = process_cpu_ms();
-  target_.clear(glm::vec3(scene.display.background));
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDisableClientState(GL_COLOR_ARRAY);  // where the frame before was not finished
-  send_light_model(scene.shading, plan.runs("two-sides"), plan.runs("local-viewer"));
-  std::size_t drawn = 0;
-  for (const DrawItem& item : items) {
-    throw_if_cancelled(progress);
-    draw_lit(item, scene, lighting, projection);
-    progress.fraction = float(++drawn) / float(items.size());
+  draw(picture, frame);
+  if (frame.nan_pixels > 0 && picture.as_listed) {
+    // A light in a vertex: no direction of OpenGL's. Relative to the eye both are rounded, each on its own.
+    picture.as_listed = false;
+    frame = empty_frame(view);
+    draw(picture, frame);
   }
-  glFinish();
-  frame.cpu_ms = process_cpu_ms() - start;
-  throw_if_cancelled(progress);
-  target_.read_colour(frame);
-  target_.read_depth(frame);
-  if (plan.runs("ids")) draw_ids(items, projection, frame);
-  if (plan.runs("normals")) draw_normals(scene, items, projection, frame);
+  const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  if (plan.runs("ids")) draw_ids(picture.items, projection, frame);
+  if (plan.runs("normals")) draw_normals(scene, picture.items, projection, frame);
   buffers_.end_frame();
   check_gl("gl-fixed frame");
   return frame;
 }
 
-void FixedRenderer::draw_lit(const DrawItem& item, const Scene& scene, const EyeLighting<double>& lighting,
-                             const glm::mat4& projection) {
-  const double unit = eye_unit(glm::dmat4(item.surface_to_eye), item.surface->radius, scene.shading.normal_length);
-  send_lights(scene, lighting, unit);
-  send_material(*item.material, scene.shading.color_material, lighting);
-  load_matrices(projection_in_unit(projection, unit), modelview_in_unit(item.surface_to_eye, unit));
-  const GpuSurface& surface = buffers_.get(item.surface, scene.shading.normal_length == NormalLength::normalize);
+void FixedRenderer::draw(const Picture& picture, Frame& frame) {
+  const double start = process_cpu_ms();
+  FixedPlayer player(picture.aspect);
+  glDisableClientState(GL_COLOR_ARRAY);  // where the frame before was not finished
+  std::size_t drawn = 0;
+  for (const GlCall& call : picture.calls) {
+    play(call, picture, player);
+    if (call.section != GlSection::draw) continue;
+    picture.progress.fraction = std::min(float(++drawn) / float(picture.items.size()), 1.0f);
+  }
+  glFinish();
+  frame.cpu_ms = process_cpu_ms() - start;
+  throw_if_cancelled(picture.progress);
+  target_.read_colour(frame);
+  target_.read_depth(frame);
+}
+
+void FixedRenderer::play(const GlCall& call, const Picture& picture, FixedPlayer& player) {
+  const Plan& plan = picture.plan;
+  if (call.function == "glClear") return target_.clear(player.clear_colour());
+  if (call.section == GlSection::lights && !picture.as_listed) return;
+  if (call.path == "shading.local_viewer" && !plan.runs("local-viewer")) return;
+  if (call.path == "shading.two_sided" && !plan.runs("two-sides")) return;
+  player.play(call);
+  if (call.section != GlSection::draw) return;
+  for (const DrawItem& item : picture.items) {
+    if (item.object != call.object) continue;
+    throw_if_cancelled(picture.progress);
+    draw_mesh(item, picture, player);
+  }
+}
+
+void FixedRenderer::draw_mesh(const DrawItem& item, const Picture& picture, const FixedPlayer& player) {
+  const Scene& scene = picture.scene;
+  double unit = 1;
+  if (!picture.as_listed) {
+    unit = eye_unit(glm::dmat4(item.surface_to_eye), item.surface->radius, scene.shading.normal_length);
+    const Scene mistaken = with_mistaken_lights(scene);
+    send_lights_from_eye(mistaken, lighting_in_eye_space<double>(mistaken, view_matrix(mistaken.camera)), unit);
+  }
+  send_emission_of_nan(eye_material<double>(*item.material, scene.shading.color_material), picture.lighting);
+  const glm::mat4 modelview(player.view() * player.object() * item.surface->to_mesh());
+  load_matrices(projection_in_unit(glm::mat4(player.projection()), unit), modelview_in_unit(modelview, unit));
+  draw_arrays(item, picture);
+}
+
+void FixedRenderer::draw_arrays(const DrawItem& item, const Picture& picture) {
+  const bool normalize = picture.scene.shading.normal_length == NormalLength::normalize;
+  const GpuSurface& surface = buffers_.get(item.surface, normalize);
   bind_positions(surface);
-  glEnableClientState(GL_NORMAL_ARRAY);
-  glNormalPointer(GL_FLOAT, 0, surface.normal_offset());
+  std::vector<glm::vec3> flipped;
+  if (picture.body.normals == MeshBody::Normals::none) {
+    glNormal3f(0, 0, 1);
+  } else {
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glNormalPointer(GL_FLOAT, 0, surface.normal_offset());
+  }
+  if (picture.body.normals == MeshBody::Normals::flipped) {
+    for (const glm::vec3& n : item.surface->normals) flipped.push_back(-n);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glNormalPointer(GL_FLOAT, 0, flipped.data());
+  }
   surface.draw();
   glDisableClientState(GL_NORMAL_ARRAY);
   unbind();

@@ -1,6 +1,8 @@
-// The technique `gl-fixed`: OpenGL's fixed function, as the slides and the assignments call it.
+// The technique `gl-fixed`: OpenGL's fixed function, as the slides and the assignments call it. It plays the list of
+// calls that the listing shows (shading/gl_calls.h), in its order.
 #pragma once
 #include "gl/draw_list.h"
+#include "gl/fixed_player.h"
 #include "gl/frame_target.h"
 #include "gl/surface_buffers.h"
 
@@ -14,8 +16,11 @@ class FixedRenderer {
   void release();
 
  private:
-  void draw_lit(const DrawItem& item, const Scene& scene, const EyeLighting<double>& lighting,
-                const glm::mat4& projection);
+  struct Picture;  // what is the same for all calls of one picture
+  void draw(const Picture& picture, Frame& frame);
+  void play(const GlCall& call, const Picture& picture, FixedPlayer& player);
+  void draw_mesh(const DrawItem& item, const Picture& picture, const FixedPlayer& player);
+  void draw_arrays(const DrawItem& item, const Picture& picture);
   void draw_ids(const std::vector<DrawItem>& items, const glm::mat4& projection, Frame& frame);
   void draw_normals(const Scene& scene, const std::vector<DrawItem>& items, const glm::mat4& projection, Frame& frame);
 

@@ -3,7 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "gl/draw_list.h"
-#include "gl/fixed_lighting.h"
+#include "gl/fixed_extremes.h"
 #include "shading/light_notes.h"
 
 namespace cg {
@@ -50,7 +50,10 @@ class PlanMaker {
                                        : empty,
                             needed ? bytes : 0});
   }
-  void note(Text text) { plan_.notes.push_back(std::move(text)); }
+  void note(Text text) {
+    std::vector<Text>& notes = plan_.notes;
+    if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
+  }
 
  private:
   const Counts& n_;
@@ -123,9 +126,7 @@ void general_notes(const Scene& scene, const Counts& n, PlanMaker& p) {
     p.note(counted(n.bad_normals, " vertices have no normal: no diffuse and no specular light there",
                    " 頂点に法線がなく、拡散光も鏡面光も計算されない"));
   for (Text& note : light_notes(scene)) p.note(std::move(note));
-  if (ray_traced)
-    p.note(Words{"k_r I_r and k_t I_t need ray tracing: left out",
-                 "k_r I_r と k_t I_t はレイトレーシングが必要なので省く"});
+  if (ray_traced) p.note(needs_rays_note);
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
          Words{"glColor does nothing under lighting", "光源計算中の glColor は効かない"});
   output_passes(n, view, true, p);
   general_notes(scene, n, p);
-  for (Text& note : fixed_function_notes(scene, n.lighting)) p.note(std::move(note));
+  for (Text& note : fixed_function_notes(scene, n.lighting, n.items)) p.note(std::move(note));
   return plan;
 }
 

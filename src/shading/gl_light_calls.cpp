@@ -98,23 +98,18 @@ class OneLight {
 void add_light_calls(const Scene& scene, GlCallList& list) {
   list.section = GlSection::lights;
   const bool all = scene.lights.size() <= std::size_t(gl_light_limit);
-  int gl_light = 0;
-  std::size_t left_out = 0;
+  int lights = 0;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    if (!all && !scene.lights[i].enabled) continue;
-    if (!all && dark(scene, scene.lights[i])) continue;
-    if (gl_light == gl_light_limit) {
-      ++left_out;
-      continue;
-    }
+    if (!all && (!scene.lights[i].enabled || dark(scene, scene.lights[i]))) continue;
+    if (++lights > gl_light_limit) continue;
     const std::size_t first = list.calls.size();
-    OneLight(scene, int(i), gl_light++, list).add();
+    OneLight(scene, int(i), lights - 1, list).add();
     for (std::size_t k = first; k < list.calls.size(); ++k) list.calls[k].light = int(i);
   }
-  if (left_out == 0) return;
-  const std::string n = std::to_string(left_out);
-  list.add("", {}).notes.push_back(
-      {"OpenGL has 8 lights: " + n + " more are left out", "OpenGL の光源は 8 個まで：残り " + n + " 個は省く"});
+  if (lights <= gl_light_limit) return;
+  const std::string n = std::to_string(lights);
+  list.add("", {}).notes.push_back({"OpenGL's fixed function has 8 lights: the first 8 of " + n + " are drawn",
+                                    "OpenGL の固定機能の光源は 8 個まで：" + n + " 個のうち最初の 8 個を描く"});
 }
 
 std::string gl_light_variable(int gl_light) { return "light" + std::to_string(gl_light); }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "shading/gl_call_list.h"
+#include "shading/light_notes.h"
 
 namespace cg {
 
@@ -30,13 +31,13 @@ void add_shininess(const Scene& scene, const Material& m, const std::string& pat
   call.quantity = Quantity::specular;
   call.numbers = {{.value = std::clamp(m.n, 0.0, gl_largest_shininess), .path = path + "n"}};
   if (m.n > gl_largest_shininess)
-    call.notes.push_back(Words{"GL_SHININESS ends at 128: a larger n becomes 128",
-                               "GL_SHININESS は 128 まで：それより大きい n は 128 に"});
+    call.notes.push_back(Words{"GL_SHININESS ends at 128: a larger n is drawn as 128",
+                               "GL_SHININESS は 128 まで：それより大きい n は 128 として描く"});
   if (meets_zero_exponent_fault(scene, m.n)) {
     call.numbers[0].value = gl_smallest_shininess;
     call.notes.push_back(
-        Words{"n = 0 is written as 0.000001: some drivers get 0 wrong where a light has a position or a cone",
-              "n = 0 は 0.000001 と書く：位置か円錐のある光源で 0 を誤るドライバーがあるため"});
+        Words{"n = 0 is sent as 0.000001: some drivers get 0 wrong where a light has a position or a cone",
+              "n = 0 は 0.000001 として送る：位置か円錐のある光源で 0 を誤るドライバーがあるため"});
   }
   if (scene.shading.reflection == Reflection::reflection_vector)
     call.notes.push_back(Words{"OpenGL has (N·H)^n here, not (R·V)^n: the same highlight needs about 4n",
@@ -87,9 +88,7 @@ void add_material(const Scene& scene, int object, GlCallList& list) {
     reflectance("GL_EMISSION", "_emission", "emission", m.emission, Quantity::emission);
   add_shininess(scene, m, path, list);
   if (follows_color(scene)) add_color(scene, m, path, list);
-  if (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0))
-    list.calls[first].notes.push_back(Words{"OpenGL has no k_r I_r and no k_t I_t: they need ray tracing",
-                                            "OpenGL に k_r I_r と k_t I_t はない：レイトレーシングが必要"});
+  if (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0)) list.calls[first].notes.push_back(needs_rays_note);
   for (std::size_t i = first; i < list.calls.size(); ++i) list.calls[i].object = object;
 }
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "gl/fixed_lighting.h"
+#include "gl/fixed_player.h"
 #include "gl/frame_target.h"
 #include "gl/gl_thread.h"
 #include "gl/program.h"
@@ -113,6 +113,7 @@ inline std::vector<StateKind> state_kinds() {
 
 inline Scene random_scene(Random& r, const StateKind& kind) {
   Scene s;
+  s.objects.resize(1);
   s.lights.clear();
   s.shading.clamp = false;
   s.shading.ambient = colour(r);
@@ -186,10 +187,9 @@ class LightingPictures {
     glNormalPointer(GL_FLOAT, 0, p.N.data());
     const glm::mat4 projection = points_projection(), object(scaling(kind.scale));
     for (const Batch& b : p.batches) {
-      const auto lighting = lighting_in_eye_space<double>(b.scene, view_matrix(b.scene.camera));
-      send_light_model(b.scene.shading, false, b.scene.shading.local_viewer);
-      send_lights(b.scene, lighting, 1);
-      send_material(b.scene.material, b.scene.shading.color_material, lighting);
+      FixedPlayer player(1);
+      for (const GlCall& call : gl_calls(b.scene))
+        if (call.section <= GlSection::lights || call.section == GlSection::material) player.play(call);
       glMatrixMode(GL_PROJECTION);
       glLoadMatrixf(&projection[0].x);
       glMatrixMode(GL_MODELVIEW);
