@@ -10,6 +10,7 @@
 #include "scene/shape.h"
 #include "workbench/commands.h"
 #include "workbench/environment.h"
+#include "workbench/import_command.h"
 
 namespace cg {
 
@@ -53,6 +54,7 @@ class Parser {
     add_compare();
     add_probe();
     add_plan();
+    add_import();
   }
 
   void parse(int argc, char** argv) { app_.parse(argc, argv); }
@@ -112,16 +114,22 @@ class Parser {
     app.add_flag(name, value, say(help))->group(options_group());
   }
 
-  CLI::App& add_command(const char* name, Words help, Run run) {
+  // A command of one file, without the options of what is drawn.
+  CLI::App& add_bare_command(const char* name, const char* file, Words help, Run run) {
     CLI::App* app = app_.add_subcommand(name, say(help));
     app->group(say({"Commands", "コマンド"}));
-    set_up(*app, "shadebench " + std::string(name) + " SCENE" + say({" [OPTIONS]", " [オプション]"}));
-    app->add_option("SCENE", arguments.scene, say({"What is drawn", "描くもの"}))->type_name("")->group("");
+    set_up(*app, "shadebench " + std::string(name) + " " + file + say({" [OPTIONS]", " [オプション]"}));
+    app->add_option(file, arguments.scene)->type_name("")->group("");
+    commands_.push_back({app, run});
+    return *app;
+  }
+
+  CLI::App& add_command(const char* name, Words help, Run run) {
+    CLI::App* app = &add_bare_command(name, "SCENE", help, run);
     add(*app, "--set", arguments.set, "PATH=VALUE",
         {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"})
         ->allow_extra_args(false);
     add(*app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
-    commands_.push_back({app, run});
     return *app;
   }
 
@@ -193,6 +201,13 @@ class Parser {
         run_plan);
     add_technique(app);
     add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+  }
+
+  void add_import() {
+    CLI::App& app = add_bare_command(
+        "import", "FILE.c",
+        {"Read the C of a student's program into a preset", "学生の C プログラムを読み、プリセットにする"}, run_import);
+    add(app, "-o,--output", arguments.output, "FILE", {"The preset, json", "プリセット（json）"});
   }
 
   void add_technique(CLI::App& app) {

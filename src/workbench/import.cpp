@@ -1,0 +1,177 @@
+#include "workbench/import.h"
+
+#include <algorithm>
+
+#include "params/file.h"
+#include "params/input_error.h"
+#include "scene/text_scanner.h"
+#include "workbench/import_scene.h"
+
+namespace cg {
+
+namespace {
+
+// A trial: functions are answered as in earnest, and nothing comes of it.
+class Rehearsal : public CHost {
+ public:
+  explicit Rehearsal(GlMachine machine) : machine_(std::move(machine)) {}
+  std::optional<CValue> constant(std::string_view name) override { return machine_.constant(name); }
+  CValue call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) override {
+    return machine_.call(run, function, arguments, line);
+  }
+  bool draws(CRun& run, const CRoutine& routine, long line) override { return machine_.draws(run, routine, line); }
+  bool only_reads(std::string_view function) const override { return machine_.only_reads(function); }
+
+ private:
+  GlMachine machine_;
+};
+
+class Importer {
+ public:
+  Importer(const CProgram& program, Complaints& complaints)
+      : program_(program), complaints_(complaints), run_(program, machine_, complaints) {}
+
+  Scene run() {
+    run_.top();
+    const CRoutine* main = run_.function("main");
+    if (main) {
+      run_.call(*main, {c_integer(1)}, main->line);
+      run_.go_on();
+      pictures();
+    } else {
+      parts();
+    }
+    return scene_of_state(machine_.state, main != nullptr, complaints_);
+  }
+
+  const GlState& state() const { return machine_.state; }
+
+ private:
+  const CRoutine* callback(std::string_view function) const {
+    const auto at = machine_.state.callbacks.find(function);
+    return at == machine_.state.callbacks.end() ? nullptr : run_.function(at->second);
+  }
+
+  // The first picture after glutMainLoop.
+  void pictures() {
+    const CRoutine *reshape = callback("glutReshapeFunc"), *display = callback("glutDisplayFunc");
+    for (const auto& [function, name] : machine_.state.callbacks)
+      if (function != "glutReshapeFunc" && function != "glutDisplayFunc")
+        if (const CRoutine* routine = run_.function(name)) changes_in(*routine);
+    show(reshape, display);
+  }
+
+  void show(const CRoutine* reshape, const CRoutine* display) {
+    const std::vector<CValue> size{c_integer(machine_.state.width), c_integer(machine_.state.height)};
+    if (reshape) call(*reshape, size);
+    if (!display) return;
+    changes_between_pictures(*display);
+    call(*display, {});
+  }
+
+  void call(const CRoutine& routine, const std::vector<CValue>& arguments) {
+    run_.call(routine, arguments, routine.line);
+    run_.go_on();
+  }
+
+  static Text changes(std::string_view name) {
+    return phrase({"{0} changes while the program runs", "{0} は実行中に変わる"}, {in_quotes(name)});
+  }
+
+  // What keys, the mouse and the clock change.
+  void changes_in(const CRoutine& routine) {
+    for (const std::string_view name : effects_of(routine, program_, machine_).assigned)
+      if (const int variable = run_.memory.find_global(name); variable >= 0)
+        run_.memory.change_later(variable, changes(name));
+  }
+
+  // What display() itself changes: two pictures are tried, and what differs after them changes.
+  void changes_between_pictures(const CRoutine& display) {
+    Complaints unheard;
+    Rehearsal host(machine_);
+    CRun trial = run_.trial(host, unheard);
+    std::vector<std::vector<CValue>> after[2];
+    for (auto& cells : after) {
+      trial.call(display, {}, display.line);
+      trial.go_on();
+      for (int i = 0; i < run_.memory.size(); ++i) cells.push_back(trial.memory.variable(i).cells);
+    }
+    const auto same = [](const CValue& a, const CValue& b) {
+      return a.state == b.state && a.number == b.number && a.address.variable == b.address.variable &&
+             a.address.offset == b.address.offset;
+    };
+    for (int i = 0; i < run_.memory.size(); ++i)
+      if (!std::equal(after[0][std::size_t(i)].begin(), after[0][std::size_t(i)].end(),
+                      after[1][std::size_t(i)].begin(), after[1][std::size_t(i)].end(), same))
+        run_.memory.change_later(i, changes(run_.memory.variable(i).name));
+  }
+
+  // ---- a part of a program ----
+
+  static void calls(const CExpression& e, std::set<std::string_view>& names) {
+    if (e.kind == CExpression::call) names.insert(e.operands[0].name);
+    for (const CExpression& o : e.operands) calls(o, names);
+  }
+  static void calls(const CStatement& s, std::set<std::string_view>& names) {
+    for (const CExpression& e : s.expressions) calls(e, names);
+    for (const CDeclaration& d : s.declarations)
+      for (const CExpression& e : d.initial) calls(e, names);
+    for (const CStatement& b : s.body) calls(b, names);
+  }
+
+  // Which functions run first: by the names that a course gives them, then the camera.
+  static int rank(const CRoutine& f) {
+    const auto named = [&](std::string_view word) { return f.name.find(word) != f.name.npos; };
+    if (named("init") || named("Init")) return 0;
+    if (named("reshape") || named("resize") || named("Reshape") || named("Resize")) return 1;
+    if (named("display") || named("draw") || named("Display") || named("Draw") || named("render")) return 4;
+    std::set<std::string_view> names;
+    calls(f.body, names);
+    return names.contains("gluLookAt") ? 2 : 3;
+  }
+
+  void parts() {
+    std::set<std::string_view> called;
+    for (const CRoutine& f : program_.functions) calls(f.body, called);
+    std::vector<std::pair<int, const CRoutine*>> roots;
+    for (const CRoutine& f : program_.functions)
+      if (!called.contains(f.name)) roots.emplace_back(rank(f), &f);
+    std::stable_sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::vector<CValue> size{c_integer(machine_.state.width), c_integer(machine_.state.height)};
+    for (const auto& [rank, f] : roots) {
+      if (rank == 4) changes_between_pictures(*f);
+      call(*f, rank == 1 ? size : std::vector<CValue>{});
+    }
+  }
+
+  const CProgram& program_;
+  Complaints& complaints_;
+  GlMachine machine_;
+  CRun run_;
+};
+
+}  // namespace
+
+ImportReport import_c(std::string_view text, const std::string& where) {
+  if (text.size() > largest_c_file)
+    throw InputError(where, {"the file is larger than 256 KiB", "ファイルが 256 KiB より大きい"},
+                     {"a program of a course is read", "授業で書く程度のプログラムなら読める"});
+  Complaints complaints;
+  const CTokens tokens = c_tokens(text, complaints);
+  const CProgram program = parse_c(tokens, complaints);
+  Importer importer(program, complaints);
+  ImportReport report;
+  report.scene = importer.run();
+  if (!importer.state().any_call)
+    throw InputError(where, {"no call of OpenGL was found", "OpenGL の呼び出しが見つからない"},
+                     {"name a C program that calls glLightfv, glMaterialfv and the like",
+                      "glLightfv や glMaterialfv などを呼ぶ C のプログラムを指定すること"});
+  report.complaints = complaints.take();
+  return report;
+}
+
+ImportReport import_file(const std::filesystem::path& file) {
+  return import_c(read_file(file, largest_c_file), file.string());
+}
+
+}  // namespace cg
