@@ -36,11 +36,13 @@ LIBRARIES = [
     (r"tbb/|oneapi/", {"raster", "radiosity", "ray"}, False),
     (r"epoxy/|EGL/|GL/", {"gl", "ui"}, False),
     (r"CLI/", {"workbench"}, False),
+    (r"md4c", {"workbench"}, True),
     (r"GLFW/|imgui|fontconfig/|ft2build", {"ui"}, False),
     (r"gtest/|benchmark/", set(), False),
 ]
 # A library that only one file, or one program's folder, may include.
-ONE_PLACE_ONLY = {"nlohmann/": "src/params/json.cpp", "OpenImageIO/": "src/image/images_program/"}
+ONE_PLACE_ONLY = {"nlohmann/": "src/params/json.cpp", "OpenImageIO/": "src/image/images_program/",
+                  "md4c": "src/workbench/lesson_markdown.cpp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 
