@@ -10,8 +10,8 @@
 #include "scene/shape.h"
 #include "workbench/commands.h"
 #include "workbench/environment.h"
-#include "workbench/export_command.h"
 #include "workbench/import_command.h"
+#include "workbench/lesson_check.h"
 
 namespace cg {
 
@@ -42,8 +42,11 @@ class Parser {
     app_.name("shadebench");
     app_.description(say({"A teaching workbench for shading: one scene drawn by OpenGL beside a software reference.",
                           "シェーディングの教材：同じシーンを OpenGL とソフトウェアで並べて描き、差を見せる。"}));
-    app_.footer(say({"SCENE is a model file (obj, ply, off, stl), a preset (json), or a shape: ",
-                     "SCENE はモデルのファイル（obj、ply、off、stl）、プリセット（json）、または形："}) +
+    app_.footer(say({"SCENE is a model file (obj, ply, off, stl), a preset (json), a lesson's step (03-shading:2), or "
+                     "a shape: ",
+                     "SCENE "
+                     "はモデルのファイル（obj、ply、off、stl）、プリセット（json）、レッスンのステップ（03-shading:"
+                     "2）、または形："}) +
                 shape_ids());
     app_.set_version_flag("--version", "shadebench " SHADEBENCH_VERSION, say({"Show the version", "版を表示する"}));
     app_.require_subcommand(0, 1);
@@ -55,8 +58,8 @@ class Parser {
     add_compare();
     add_probe();
     add_plan();
-    add_export();
     add_import();
+    add_lessons();
   }
 
   void parse(int argc, char** argv) { app_.parse(argc, argv); }
@@ -127,16 +130,12 @@ class Parser {
   }
 
   CLI::App& add_command(const char* name, Words help, Run run) {
-    CLI::App& app = add_bare_command(name, "SCENE", help, run);
-    add_set(app);
-    add(app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
-    return app;
-  }
-
-  void add_set(CLI::App& app) {
-    add(app, "--set", arguments.set, "PATH=VALUE",
+    CLI::App* app = &add_bare_command(name, "SCENE", help, run);
+    add(*app, "--set", arguments.set, "PATH=VALUE",
         {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"})
         ->allow_extra_args(false);
+    add(*app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
+    return *app;
   }
 
   void add_window() {
@@ -209,23 +208,20 @@ class Parser {
     add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
   }
 
-  void add_export() {
-    CLI::App& app = add_bare_command("export", "SCENE",
-                                     {"Write a scene as a preset, C, a GLUT program or OBJ",
-                                      "シーンをプリセット、C、GLUT プログラム、OBJ に書き出す"},
-                                     run_export);
-    add_set(app);
-    add(app, "--as", arguments.format, "FORMAT",
-        {"json, c, glut or obj; else by FILE's ending", "json、c、glut、obj のどれか。省くと FILE の末尾で決める"});
-    add(app, "-o,--output", arguments.output, "FILE",
-        {"The file; of a GLUT program .c, its meshes beside it", "書き出すファイル。glut では .c、メッシュは隣に置く"});
-  }
-
   void add_import() {
     CLI::App& app = add_bare_command(
         "import", "FILE.c",
         {"Read the C of a student's program into a preset", "学生の C プログラムを読み、プリセットにする"}, run_import);
     add(app, "-o,--output", arguments.output, "FILE", {"The preset, json", "プリセット（json）"});
+  }
+
+  void add_lessons() {
+    CLI::App& app =
+        add_bare_command("lessons", "LESSON", {"List the lessons, or check them", "レッスンの一覧と検査"}, run_lessons);
+    add_flag(app, "--check", arguments.check,
+             {"Compute every number and task; exit with 1 where one is off",
+              "数と課題をすべて計算し、合わなければ終了状態を 1 にする"});
+    add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
   }
 
   void add_technique(CLI::App& app) {

@@ -15,8 +15,9 @@ struct Arguments {
   std::string technique, left, right;
   std::string size, threads, max_error, gain;
   std::string pixel;  // x,y
-  std::string output, format;
+  std::string output;
   bool json = false;
+  bool check = false;
 };
 
 // One technique's picture into a file.

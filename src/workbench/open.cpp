@@ -3,6 +3,7 @@
 #include "params/input_error.h"
 #include "params/slots.h"
 #include "workbench/data_folder.h"
+#include "workbench/lesson.h"
 #include "workbench/preset.h"
 
 namespace cg {
@@ -21,6 +22,7 @@ void add_next(std::vector<Item>& list, std::string_view path, std::string_view k
 }  // namespace
 
 Scene open_scene(const std::string& what, std::vector<Text>* notes) {
+  if (const auto step = find_step(what)) return scene_of_step(read_lesson(step->folder), step->step);
   if (fs::path(what).extension() != ".json") return open_model(find_model(what), notes);
   std::error_code error;
   const fs::path bundled = data_folder() / what;

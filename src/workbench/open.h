@@ -7,8 +7,9 @@
 
 namespace cg {
 
-// `what`: a shape's name, a model file, the name of a bundled model, or a preset (.json). Meshes are loaded. `notes`,
-// if not null, gets what was odd about a model file. Throws InputError that says what would work.
+// `what`: a lesson's step ("03-shading:2"), a shape's name, a model file, the name of a bundled model, or a preset
+// (.json). Meshes are loaded. `notes`, if not null, gets what was odd about a model file. Throws InputError that says
+// what would work.
 Scene open_scene(const std::string& what, std::vector<Text>* notes = nullptr);
 
 // Sets one parameter from text as it is typed after --set: "material.k_d=0.5". "lights.1.kind=spot" adds a light where
