@@ -142,7 +142,7 @@ TEST_F(CommandTest, MistakesAreOneLine) {
     EXPECT_NE(error.find(part), std::string::npos) << error;
   };
   says({"render", "teapot", "--frob", "-o", "a.png"}, "--frob: there is no such option; known are: ");
-  says({"rendr", "teapot"}, "the commands are: render, compare, plan");
+  says({"rendr", "teapot"}, "the commands are: render, compare, ");
   says({"render", "teapot", "-o"}, "-o");
   says({"render", "-o", "a.png"}, "no scene is named");
   says({"render", "teapot"}, "no file is named");
