@@ -9,6 +9,7 @@
 
 #include "params/input_error.h"
 #include "scene/technique.h"
+#include "ui/code_view.h"
 #include "ui/look.h"
 #include "ui/opening.h"
 #include "ui/settings.h"
@@ -84,6 +85,8 @@ struct App {
 
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
   Quantity lit = Quantity::none, lit_next = Quantity::none;
+
+  CodeView code;
 
   double content_scale = 1;  // of the monitor
   Editing editing;

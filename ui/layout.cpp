@@ -5,6 +5,7 @@
 
 #include "ui/app.h"
 #include "ui/fill.h"
+#include "ui/widgets.h"
 
 namespace cg {
 namespace {
@@ -60,6 +61,40 @@ const Range& range_of_setting(double Settings::*member) {
   return *found;
 }
 
+// Where the window is too narrow for both, the equation and the listing lie one behind the other.
+void draw_strip_tabs(App& app) {
+  Settings& s = app.settings;
+  const auto tab = [&](const char* id, const Words& label, bool code) {
+    if (button(app, id, {.label = label.in(app.language()), .chosen = s.code_in_front == code, .quiet = true}))
+      s.code_in_front = code;
+  };
+  tab("equation", {"Light model", "光源計算の式"}, false);
+  ImGui::SameLine(0, app.look.px(4));
+  tab("listing", {"Program", "プログラム"}, true);
+}
+
+// Below everything: the equation, and the listing beside it.
+void draw_below(App& app, ImVec2 at, ImVec2 size) {
+  Look& look = app.look;
+  Settings& s = app.settings;
+  const ImU32 back = look.palette.panel;
+  const ImVec2 padding{look.px(16), look.px(10)};
+  const float least_equation = look.px(540), least_code = look.px(330);
+  if (!s.code) return area(app, "strip", at, size, back, padding, false, [&] { draw_strip(app); });
+  if (size.x < least_equation + least_code)
+    return area(app, s.code_in_front ? "code" : "strip", at, size, back, padding, false, [&] {
+      draw_strip_tabs(app);
+      s.code_in_front ? draw_code_panel(app) : draw_strip(app);
+    });
+  const float code = std::clamp(look.px(float(s.code_width)), least_code, size.x - least_equation);
+  area(app, "strip", at, {size.x - code, size.y}, back, padding, false, [&] { draw_strip(app); });
+  area(app, "code", {at.x + size.x - code, at.y}, {code, size.y}, back, {look.px(8), look.px(10)}, false,
+       [&] { draw_code_panel(app); });
+  const float gap = look.px(4);
+  splitter(app, "code edge", {at.x + size.x - code - gap, at.y + gap}, {gap, size.y - gap}, true, s.code_width, -1,
+           range_of_setting(&Settings::code_width));
+}
+
 void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   Look& look = app.look;
   const Palette& p = look.palette;
@@ -72,7 +107,7 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   const float middle_h = size.y - bar - strip, middle_w = size.x - left - right;
 
   area(app, "bar", {0, 0}, {size.x, bar}, p.panel, {look.px(16), look.px(8)}, false, [&] { draw_top_bar(app); });
-  area(app, "parameters", {0, bar + 1}, {left, size.y - bar - 1}, p.panel, {look.px(14), look.px(8)}, true,
+  area(app, "parameters", {0, bar + 1}, {left, middle_h - 1}, p.panel, {look.px(14), look.px(8)}, true,
        [&] { draw_parameters(app); });
   area(app, "view", {left, bar}, {middle_w, middle_h}, p.window, {inner, inner}, false, [&] {
     draw_view_bar(app);
@@ -81,21 +116,15 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   });
   area(app, "side", {size.x - right, bar + 1}, {right, middle_h - 1}, p.panel, {look.px(14), look.px(10)}, true,
        [&] { draw_side_panel(app); });
-  // The listing stands beside the equation where both have room.
-  const float below = size.x - left - 1, equation_w = look.px(620);
-  const float code_w = s.code && below >= equation_w + look.px(280) ? below - equation_w : 0;
-  area(app, "strip", {left + 1, bar + middle_h}, {below - code_w, strip}, p.panel, {look.px(16), look.px(10)}, false,
-       [&] { draw_strip(app); });
-  area(app, "code", {size.x - code_w, bar + middle_h}, {code_w, strip}, p.panel, {look.px(12), look.px(10)}, true,
-       [&] { draw_code_panel(app); });
+  draw_below(app, {0, bar + middle_h + 1}, {size.x, strip - 1});
 
-  splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, size.y - bar}, true, s.left_width, 1,
+  splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, middle_h}, true, s.left_width, 1,
            range_of_setting(&Settings::left_width));
   if (right > 0)
     splitter(app, "right edge", {size.x - right - gap * 0.5f, bar}, {gap, middle_h}, true, s.right_width, -1,
              range_of_setting(&Settings::right_width));
-  splitter(app, "strip edge", {left + gap, bar + middle_h - gap * 0.5f}, {size.x - left, gap}, false, s.strip_height,
-           -1, range_of_setting(&Settings::strip_height));
+  splitter(app, "strip edge", {0, bar + middle_h - gap * 0.5f}, {size.x, gap}, false, s.strip_height, -1,
+           range_of_setting(&Settings::strip_height));
 }
 
 }  // namespace

@@ -16,26 +16,6 @@ namespace {
 
 std::string exact_text(double v) { return number_text(v, 0, 40); }
 
-// The field in which a value is typed. Enter and leaving it take the text, Escape does not.
-void edit_value(App& app, const Row& row, ImVec2 at, float width, RowChange& change) {
-  Editing& e = app.editing;
-  ImGui::SetCursorScreenPos(at);
-  ImGui::SetNextItemWidth(width);
-  ImGui::PushFont(app.look.fonts.mono);
-  if (e.fresh) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputText("##type", &e.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  ImGui::PopFont();
-  const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (entered || (ImGui::IsItemDeactivated() && !escaped)) {
-    if (e.text != (row.exact.empty() ? exact_text(row.value) : row.exact)) change.typed = e.text;
-    e = {};
-  } else if (escaped || (!e.fresh && !ImGui::IsItemActive())) {
-    e = {};
-  }
-  e.fresh = false;
-}
-
 // The value itself: a click types it, a drag and the wheel move it.
 void show_value(App& app, const Row& row, ImVec2 at, ImVec2 size, RowChange& change) {
   Look& look = app.look;
@@ -104,7 +84,8 @@ RowChange number_row(App& app, const Row& row) {
   if (row.swatch)
     show_swatch(app, *row.swatch, {value_x - look.px(14), at.y + 0.5f * (h - look.px(16))}, look.px(16), change);
   if (app.editing.item == ImGui::GetID("value"))
-    edit_value(app, row, {value_x + look.px(2), at.y + look.px(1)}, value_w, change);
+    change.typed = type_value(app, look.fonts.mono, row.exact.empty() ? exact_text(row.value) : row.exact,
+                              {value_x + look.px(2), at.y + look.px(1)}, value_w);
   else
     show_value(app, row, {value_x + (row.swatch ? look.px(8) : 0), at.y}, {value_w - (row.swatch ? look.px(8) : 0), h},
                change);
@@ -114,6 +95,29 @@ RowChange number_row(App& app, const Row& row) {
   ImGui::SetCursorScreenPos({at.x, at.y + h});
   ImGui::PopID();
   return change;
+}
+
+std::optional<std::string> type_value(App& app, ImFont* font, const std::string& shown, ImVec2 at, float width) {
+  Editing& e = app.editing;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::SetNextItemWidth(width);
+  ImGui::PushFont(font);
+  if (e.fresh) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputText("##type", &e.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopFont();
+  const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool tab = !e.fresh && ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
+  if (tab) ImGui::ClearActiveID();
+  std::optional<std::string> typed;
+  if (entered || tab || (ImGui::IsItemDeactivated() && !escaped)) {
+    if (e.text != shown) typed = e.text;
+    e = {};
+  } else if (escaped || (!e.fresh && !ImGui::IsItemActive())) {
+    e = {};
+  }
+  e.fresh = false;
+  return typed;
 }
 
 void describe(App& app, const About& about, std::string_view exact) {

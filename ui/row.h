@@ -29,6 +29,10 @@ struct RowChange {
 
 RowChange number_row(App& app, const Row& row);
 
+// The field in which app.editing is typed, instead of what was `shown`. Enter and leaving it give the text where it
+// differs, Escape does not; app.editing.item is 0 when it is over.
+std::optional<std::string> type_value(App& app, ImFont* font, const std::string& shown, ImVec2 at, float width);
+
 // The tooltip of a parameter: label, help, accepted range, unit, OpenGL's name.
 void describe(App& app, const About& about, std::string_view exact);
 

@@ -42,8 +42,9 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
-  bool code = true;                                                // the listing, beside the equation
-  double left_width = 312, right_width = 320, strip_height = 132;  // of the layout, units
+  bool code = true;            // the listing, beside the equation;
+  bool code_in_front = false;  // or, where there is no room for both, before it
+  double left_width = 312, right_width = 320, strip_height = 172, code_width = 640;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
@@ -97,10 +98,13 @@ inline constexpr auto fields_of<Settings> = std::tuple{
     field(&Settings::code, {.name = "code",
                             .label = {"Program", "プログラム"},
                             .help = {"Shows the scene as OpenGL calls.", "シーンを OpenGL の呼び出しとして示す。"}}),
+    field(&Settings::code_in_front, {.name = "code_in_front", .label = {"Program in front", "プログラムを手前に"}}),
     field(&Settings::left_width, {.name = "left_width", .range = {220, 600}, .label = {"Left width", "左の幅"}}),
     field(&Settings::right_width, {.name = "right_width", .range = {220, 800}, .label = {"Right width", "右の幅"}}),
     field(&Settings::strip_height,
           {.name = "strip_height", .range = {60, 500}, .label = {"Strip height", "下段の高さ"}}),
+    field(&Settings::code_width,
+          {.name = "code_width", .range = {200, 3000}, .label = {"Program width", "プログラムの幅"}}),
 };
 
 }  // namespace cg

@@ -2,6 +2,7 @@
 
 #include "gl/check.h"
 #include "gl/cpu_time.h"
+#include "gl/fixed_by_hand.h"
 #include "gl/fixed_extremes.h"
 #include "gl/gl_plan.h"
 #include "params/input_error.h"
@@ -157,22 +158,27 @@ void FixedRenderer::draw_mesh(const DrawItem& item, const Picture& picture, cons
 
 void FixedRenderer::draw_arrays(const DrawItem& item, const Picture& picture) {
   const bool normalize = picture.scene.shading.normal_length == NormalLength::normalize;
+  const MeshBody& body = picture.body;
+  std::vector<glm::vec3> own;  // what the mistakes make of the normals
+  if (body.by_hand)
+    own = colours_by_hand(*item.surface, body.normals, picture.scene.mistakes);
+  else if (body.normals == MeshBody::Normals::flipped)
+    for (const glm::vec3& n : item.surface->normals) own.push_back(-n);
   const GpuSurface& surface = buffers_.get(item.surface, normalize);
   bind_positions(surface);
-  std::vector<glm::vec3> flipped;
-  if (picture.body.normals == MeshBody::Normals::none) {
+  if (!own.empty()) glBindBuffer(GL_ARRAY_BUFFER, 0);
+  if (body.by_hand) {
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(3, GL_FLOAT, 0, own.data());
+  } else if (body.normals == MeshBody::Normals::none) {
     glNormal3f(0, 0, 1);
   } else {
     glEnableClientState(GL_NORMAL_ARRAY);
-    glNormalPointer(GL_FLOAT, 0, surface.normal_offset());
-  }
-  if (picture.body.normals == MeshBody::Normals::flipped) {
-    for (const glm::vec3& n : item.surface->normals) flipped.push_back(-n);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glNormalPointer(GL_FLOAT, 0, flipped.data());
+    glNormalPointer(GL_FLOAT, 0, own.empty() ? surface.normal_offset() : own.data());
   }
   surface.draw();
   glDisableClientState(GL_NORMAL_ARRAY);
+  glDisableClientState(GL_COLOR_ARRAY);
   unbind();
 }
 

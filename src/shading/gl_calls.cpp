@@ -141,6 +141,8 @@ std::vector<GlCall> gl_calls(const Scene& scene) {
   add_view_and_lights(scene, list);
   add_object_calls(scene, list);
   add_mesh(scene, list);
+  for (GlCall& call : list.calls)
+    for (GlNumber& number : call.numbers) number.value = finite(number.value);
   return std::move(list.calls);
 }
 

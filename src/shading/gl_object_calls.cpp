@@ -118,7 +118,10 @@ void add_object_calls(const Scene& scene, GlCallList& list) {
     const Object& o = scene.objects[std::size_t(i)];
     if (!o.visible) continue;
     add_transform(o, i, list);
-    if (last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material) add_material(scene, i, list);
+    // The program's own light model calls glColor, and so changes the reflectance that follows it.
+    const bool color_changed = lights_by_hand(scene.mistakes) && follows_color(scene);
+    const bool other = last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material;
+    if (other || color_changed) add_material(scene, i, list);
     last = i;
     list.section = GlSection::draw;
     list.add("draw_mesh", {"mesh" + std::to_string(i)}).object = i;

@@ -10,6 +10,7 @@
 #include "scene/shape.h"
 #include "workbench/commands.h"
 #include "workbench/environment.h"
+#include "workbench/export_command.h"
 #include "workbench/import_command.h"
 #include "workbench/lesson_check.h"
 
@@ -58,6 +59,7 @@ class Parser {
     add_compare();
     add_probe();
     add_plan();
+    add_export();
     add_import();
     add_lessons();
   }
@@ -130,12 +132,16 @@ class Parser {
   }
 
   CLI::App& add_command(const char* name, Words help, Run run) {
-    CLI::App* app = &add_bare_command(name, "SCENE", help, run);
-    add(*app, "--set", arguments.set, "PATH=VALUE",
+    CLI::App& app = add_bare_command(name, "SCENE", help, run);
+    add_set(app);
+    add(app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
+    return app;
+  }
+
+  void add_set(CLI::App& app) {
+    add(app, "--set", arguments.set, "PATH=VALUE",
         {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"})
         ->allow_extra_args(false);
-    add(*app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
-    return *app;
   }
 
   void add_window() {
@@ -206,6 +212,18 @@ class Parser {
         run_plan);
     add_technique(app);
     add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+  }
+
+  void add_export() {
+    CLI::App& app = add_bare_command("export", "SCENE",
+                                     {"Write a scene as a preset, C, a GLUT program or OBJ",
+                                      "シーンをプリセット、C、GLUT プログラム、OBJ に書き出す"},
+                                     run_export);
+    add_set(app);
+    add(app, "--as", arguments.format, "FORMAT",
+        {"json, c, glut or obj; else by FILE's ending", "json、c、glut、obj のどれか。省くと FILE の末尾で決める"});
+    add(app, "-o,--output", arguments.output, "FILE",
+        {"The file; of a GLUT program .c, its meshes beside it", "書き出すファイル。glut では .c、メッシュは隣に置く"});
   }
 
   void add_import() {

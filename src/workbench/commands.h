@@ -15,7 +15,7 @@ struct Arguments {
   std::string technique, left, right;
   std::string size, threads, max_error, gain;
   std::string pixel;  // x,y
-  std::string output;
+  std::string output, format;
   bool json = false;
   bool check = false;
 };

@@ -56,13 +56,10 @@ ListingLine declaration(const GlCall& call) {
 }
 
 ListingLine statement(const GlCall& call) {
-  if (call.function == "glClear") return statement(call, call.function, {joined(call)});
-  return statement(call, call.function, call.tokens);
-}
-
-ListingLine statement(const GlCall& call, std::string_view function, std::vector<std::string> tokens) {
   ListingLine line = line_of(call);
-  line.text = std::string(function) + "(";
+  line.text = std::string(call.function) + "(";
+  std::vector<std::string> tokens = call.tokens;
+  if (call.function == "glClear") tokens = {joined(call)};
   if (!call.variable.empty()) tokens.push_back(call.variable);
   bool first = true;
   for (const std::string& token : tokens) {

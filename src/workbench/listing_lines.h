@@ -11,8 +11,6 @@ namespace cg {
 ListingLine declaration(const GlCall& call);
 // "glLightfv( GL_LIGHT0, GL_POSITION, light0_position );"
 ListingLine statement(const GlCall& call);
-// The same with another function's name and these words before its own: "look_at( view, 0.0, 1.0, ... );"
-ListingLine statement(const GlCall& call, std::string_view function, std::vector<std::string> tokens);
 // The notes as comments, one a line.
 std::vector<ListingLine> comments(const GlCall& call, Language language);
 
