@@ -64,7 +64,7 @@ class Effects {
           a.kind == CExpression::index)
         pointed(a);
     }
-    for (const CRoutine& f : program_.functions)
+    for (const CRoutine& f : program_.routines)
       if (f.name == name) return function(f);
     out_.calls = out_.calls || name.starts_with("gl");
   }

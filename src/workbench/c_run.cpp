@@ -16,7 +16,7 @@ constexpr Words first_picture{"taken as in the first picture", "最初の画像�
 
 CRun::CRun(const CProgram& program, CHost& host, Complaints& complaints)
     : program_(&program), host_(&host), complaints_(&complaints) {
-  for (const CRoutine& f : program.functions) functions_[f.name] = &f;
+  for (const CRoutine& f : program.routines) functions_[f.name] = &f;
 }
 
 CRun CRun::trial(CHost& host, Complaints& complaints) const {
@@ -46,7 +46,8 @@ bool CRun::spend(long line) {
 void CRun::top() { run_list(program_->top); }
 
 CValue CRun::call(const CRoutine& f, const std::vector<CValue>& arguments, long line) {
-  if (host_->draws(*this, f, line)) return memory.unknown({"a function that draws has no value", "描く関数に値はない"});
+  if (host_->plays(*this, f, arguments, line))
+    return memory.unknown({"a function that draws has no value", "描く関数に値はない"});
   if (depth_ >= deepest_call) {
     complain(line, phrase({"{0} calls itself too deeply to be followed", "{0} の呼び出しが深すぎて追えない"},
                           {in_quotes(f.name)}));
@@ -115,6 +116,13 @@ CRun::Flow CRun::run(const CStatement& s) {
   return Flow::next;
 }
 
+// A variable that would have been assigned is complained about where it is used.
+void CRun::complain_about(long line, const CValue& condition, const CEffects& effects) {
+  if (condition.state == CValue::unknown && effects.calls) complain(line, condition, left_out);
+  if (condition.state == CValue::at_start && (effects.calls || !effects.assigned.empty()))
+    complain(line, condition, first_picture);
+}
+
 std::optional<bool> CRun::holds(const CExpression& condition, std::initializer_list<const CStatement*> skipped) {
   const CValue v = evaluate(condition);
   if (v.is_address() || !v.function.empty()) return true;
@@ -126,9 +134,7 @@ std::optional<bool> CRun::holds(const CExpression& condition, std::initializer_l
       effects.assigned.insert(at->second.assigned.begin(), at->second.assigned.end());
       effects.calls = effects.calls || at->second.calls;
     }
-  const bool matters = effects.calls || !effects.assigned.empty();
-  if (v.state != CValue::known && matters)
-    complain(condition.line, v, v.state == CValue::unknown ? left_out : first_picture);
+  complain_about(condition.line, v, effects);
   if (v.state != CValue::unknown) return v.number != 0;
   for (const std::string_view name : effects.assigned)
     if (const int variable = memory.find(name); variable >= 0) memory.forget(variable, memory.reason_text(v.reason));
@@ -170,8 +176,7 @@ CRun::Flow CRun::run_choice(const CStatement& s) {
   const CValue v = evaluate(s.expressions[0]);
   if (v.state != CValue::known) {
     const CEffects effects = effects_of(body, *program_, *host_);
-    if (effects.calls || !effects.assigned.empty())
-      complain(s.line, v, v.state == CValue::unknown ? left_out : first_picture);
+    complain_about(s.line, v, effects);
     if (v.state == CValue::unknown) {
       for (const std::string_view name : effects.assigned)
         if (const int i = memory.find(name); i >= 0) memory.forget(i, memory.reason_text(v.reason));

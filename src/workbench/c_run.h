@@ -24,8 +24,8 @@ class CHost {
   // A name that the program does not define: GL_LIGHT0.
   virtual std::optional<CValue> constant(std::string_view name) = 0;
   virtual CValue call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) = 0;
-  // A routine of the program that is called: whether the host has drawn it, so that it is not followed.
-  virtual bool draws(CRun& run, const CRoutine& routine, long line) = 0;
+  // A routine of the program that is called: whether the host has done what it does, so that it is not followed.
+  virtual bool plays(CRun& run, const CRoutine& routine, const std::vector<CValue>& arguments, long line) = 0;
   // Whether that function only reads what its arguments point to.
   virtual bool only_reads(std::string_view function) const = 0;
 };
@@ -81,6 +81,7 @@ class CRun {
 
   // Is the condition true? Nothing: not known, complained about where `skipped` would have done anything.
   std::optional<bool> holds(const CExpression& condition, std::initializer_list<const CStatement*> skipped);
+  void complain_about(long line, const CValue& condition, const CEffects& effects);
   bool spend(long line);
 
   const CProgram* program_;

@@ -270,7 +270,7 @@ class Parser {
     }
     c_.expect(")");
     f.body = block();
-    program_.functions.push_back(std::move(f));
+    program_.routines.push_back(std::move(f));
   }
 
   // ---- statements ----

@@ -76,7 +76,7 @@ struct CRoutine {
 };
 
 struct CProgram {
-  std::vector<CRoutine> functions;
+  std::vector<CRoutine> routines;
   std::vector<CStatement> top;  // declarations, and statements outside functions, as in a part of a program
   long last_line = 1;
 };

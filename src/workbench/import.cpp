@@ -5,11 +5,49 @@
 #include "params/file.h"
 #include "params/input_error.h"
 #include "scene/text_scanner.h"
+#include "workbench/import_comment.h"
 #include "workbench/import_scene.h"
+#include "workbench/model_library.h"
 
 namespace cg {
 
 namespace {
+
+// The comment at the head of exported functions says how a program calls them: as statements.
+class Usage {
+ public:
+  explicit Usage(const std::vector<CComment>& comments) {
+    for (const CComment& comment : comments)
+      if (comment.text.find("Shadebench") != comment.text.npos && comment.text.find("display()") != comment.text.npos) {
+        write(comment.text);
+        Complaints unheard;
+        tokens_ = c_tokens(code_, unheard);
+        program_ = parse_c(tokens_, unheard);
+        return;
+      }
+  }
+  Usage(const Usage&) = delete;
+  Usage& operator=(const Usage&) = delete;
+  // Null where there is none.
+  const CRoutine* routine() const { return program_.routines.empty() ? nullptr : &program_.routines[0]; }
+
+ private:
+  void write(std::string_view text) {
+    code_ = "void usage(void) {\n";
+    for (std::size_t at = text.find('\n'); at != text.npos;) {
+      const std::size_t end = text.find('\n', at + 1);
+      std::string_view line = text.substr(at + 1, end == text.npos ? end : end - at - 1);
+      line.remove_prefix(std::min(line.find_first_not_of(" *\t\r"), line.size()));
+      code_ += line.starts_with("...") ? "glCallList(1);\n" : std::string(line) + "\n";
+      at = end;
+    }
+    code_ += "}\n";
+  }
+
+  std::string code_;
+  CTokens tokens_;
+  CProgram program_;
+};
 
 // A trial: functions are answered as in earnest, and nothing comes of it.
 class Rehearsal : public CHost {
@@ -19,7 +57,9 @@ class Rehearsal : public CHost {
   CValue call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) override {
     return machine_.call(run, function, arguments, line);
   }
-  bool draws(CRun& run, const CRoutine& routine, long line) override { return machine_.draws(run, routine, line); }
+  bool plays(CRun& run, const CRoutine& routine, const std::vector<CValue>& arguments, long line) override {
+    return machine_.plays(run, routine, arguments, line);
+  }
   bool only_reads(std::string_view function) const override { return machine_.only_reads(function); }
 
  private:
@@ -28,8 +68,12 @@ class Rehearsal : public CHost {
 
 class Importer {
  public:
-  Importer(const CProgram& program, Complaints& complaints)
-      : program_(program), complaints_(complaints), run_(program, machine_, complaints) {}
+  Importer(const CProgram& program, const Usage& usage, Complaints& complaints)
+      : program_(program), usage_(usage), complaints_(complaints), run_(program, machine_, complaints) {
+    machine_.state.own.used = has_own_matrices(program);
+  }
+
+  bool is_whole() const { return run_.function("main") != nullptr; }
 
   Scene run() {
     run_.top();
@@ -132,9 +176,10 @@ class Importer {
 
   void parts() {
     std::set<std::string_view> called;
-    for (const CRoutine& f : program_.functions) calls(f.body, called);
+    for (const CRoutine& f : program_.routines) calls(f.body, called);
+    if (usage_.routine()) calls(usage_.routine()->body, called);
     std::vector<std::pair<int, const CRoutine*>> roots;
-    for (const CRoutine& f : program_.functions)
+    for (const CRoutine& f : program_.routines)
       if (!called.contains(f.name)) roots.emplace_back(rank(f), &f);
     std::stable_sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::vector<CValue> size{c_integer(machine_.state.width), c_integer(machine_.state.height)};
@@ -142,9 +187,11 @@ class Importer {
       if (rank == 4) changes_between_pictures(*f);
       call(*f, rank == 1 ? size : std::vector<CValue>{});
     }
+    if (usage_.routine()) call(*usage_.routine(), {});
   }
 
   const CProgram& program_;
+  const Usage& usage_;
   Complaints& complaints_;
   GlMachine machine_;
   CRun run_;
@@ -152,26 +199,83 @@ class Importer {
 
 }  // namespace
 
-ImportReport import_c(std::string_view text, const std::string& where) {
+namespace {
+
+// What `text` says in its calls and its comment; objects of the program's own meshes have no model yet.
+struct Reading {
+  Scene by_calls, scene;
+  std::vector<long> lines;  // where each object is drawn; 0: nowhere
+  bool whole = false;
+};
+
+Reading read(std::string_view text, const std::string& where, Complaints& complaints) {
   if (text.size() > largest_c_file)
     throw InputError(where, {"the file is larger than 256 KiB", "ファイルが 256 KiB より大きい"},
                      {"a program of a course is read", "授業で書く程度のプログラムなら読める"});
-  Complaints complaints;
   const CTokens tokens = c_tokens(text, complaints);
   const CProgram program = parse_c(tokens, complaints);
-  Importer importer(program, complaints);
-  ImportReport report;
-  report.scene = importer.run();
+  const Usage usage(tokens.comments);
+  Importer importer(program, usage, complaints);
+  Reading reading;
+  reading.by_calls = importer.run();
   if (!importer.state().any_call)
     throw InputError(where, {"no call of OpenGL was found", "OpenGL の呼び出しが見つからない"},
                      {"name a C program that calls glLightfv, glMaterialfv and the like",
                       "glLightfv や glMaterialfv などを呼ぶ C のプログラムを指定すること"});
-  report.complaints = complaints.take();
-  return report;
+  for (const GlDraw& draw : importer.state().drawn) reading.lines.push_back(draw.line);
+  reading.whole = importer.is_whole();
+  reading.scene = reading.by_calls;
+  apply_comment(reading.scene, tokens.comments, complaints);
+  return reading;
+}
+
+std::string name_of(const Object& object) { return std::filesystem::path(object.model).stem().string(); }
+
+// A model for what has none: a mesh of the program's own, or nothing that is drawn at all.
+void give_models(Reading& reading, Complaints& complaints) {
+  for (std::size_t i = 0; i < reading.scene.objects.size(); ++i) {
+    Object& object = reading.scene.objects[i];
+    if (object.model.empty()) {
+      object.model = "teapot";
+      if (i < reading.lines.size())
+        complaints.add(reading.lines[i], {"the program draws a mesh of its own: a teapot stands in its place",
+                                          "プログラム独自の形を描いている：代わりにティーポットを置く"});
+      else if (reading.whole)
+        complaints.add(0, {"nothing that is drawn was found: a teapot stands in its place",
+                           "描かれる形が見つからない：代わりにティーポットを置く"});
+    }
+    if (object.name.empty()) object.name = name_of(object);
+  }
+}
+
+}  // namespace
+
+ImportReport import_c(std::string_view text, const std::string& where) {
+  Complaints complaints;
+  Reading reading = read(text, where, complaints);
+  give_models(reading, complaints);
+  return {std::move(reading.scene), complaints.take()};
+}
+
+std::string import_comment(const Scene& scene, std::string_view text) {
+  Complaints unheard;
+  Scene before = read(text, "", unheard).by_calls;
+  // A name that follows from the model's need not be said.
+  for (std::size_t i = 0; i < std::min(before.objects.size(), scene.objects.size()); ++i)
+    if (const Object& o = scene.objects[i]; before.objects[i].name.empty() && o.name == name_of(o))
+      before.objects[i].name = o.name;
+  return comment_between(before, scene);
 }
 
 ImportReport import_file(const std::filesystem::path& file) {
-  return import_c(read_file(file, largest_c_file), file.string());
+  ImportReport report = import_c(read_file(file, largest_c_file), file.string());
+  for (Object& object : report.scene.objects) try {
+      object.model = find_model(object.model, file.parent_path());
+    } catch (const InputError& e) {
+      report.complaints.push_back({0, {e.message(Language::english), e.message(Language::japanese)}});
+      object.model = "teapot", object.part.clear();
+    }
+  return report;
 }
 
 }  // namespace cg

@@ -72,7 +72,7 @@ bool GlCallReader::has(std::size_t n) {
 std::optional<double> GlCallReader::number(std::size_t i) {
   if (!has(i + 1)) return std::nullopt;
   const CValue& v = arguments[i];
-  if (v.state == CValue::known && v.is_number()) return v.number;
+  if ((v.state == CValue::known || (first_picture && v.state == CValue::at_start)) && v.is_number()) return v.number;
   const Text why = v.state != CValue::known ? run.memory.reason_text(v.reason)
                                             : Text{"an argument is not a number", "引数が数ではない"};
   refuse({"{0}", "{0}"}, {why});
@@ -176,6 +176,7 @@ CValue GlMachine::call(CRun& run, std::string_view function, const std::vector<C
           phrase({"the result of {0} is known only to the running program", "{0} の結果は実行しなければ分からない"},
                  {code(function)}));
   if (function == "exit" || function == "abort") run.stop();
+  if (function == "memcpy" && state.own.used) state.own.view = state.own.calls;
   if (!contains(harmless, function) && !contains(plain_c, function) && function.starts_with("gl"))
     call.complain({"{0} is not read", "{0} は読み込めない"}, {code(function)});
   return run.memory.unknown(
@@ -184,7 +185,9 @@ CValue GlMachine::call(CRun& run, std::string_view function, const std::vector<C
 }
 
 // A routine that only gives vertices is a mesh of the program's own: it is not followed.
-bool GlMachine::draws(CRun&, const CRoutine& routine, long line) {
+bool GlMachine::plays(CRun& run, const CRoutine& routine, const std::vector<CValue>& arguments, long line) {
+  GlCallReader call(run, routine.name, arguments, line);
+  if (state.own.used && play_own_matrices(state, call)) return true;
   const auto [at, added] = meshes_.try_emplace(&routine, false);
   if (added) {
     MeshSigns signs;

@@ -67,6 +67,11 @@ struct GlState {
   int width = 300, height = 300;
   std::map<std::string_view, std::string_view> callbacks;  // "glutDisplayFunc": the program's function
   bool main_loop = false;
+  // Of an exported program: the matrix that it multiplies itself, and the one that it keeps as its view.
+  struct {
+    bool used = false;
+    MatrixCalls calls, view;
+  } own;
   bool any_call = false;
 };
 
@@ -75,7 +80,7 @@ class GlMachine : public CHost {
   std::optional<CValue> constant(std::string_view name) override;
   CValue call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) override;
   bool only_reads(std::string_view function) const override;
-  bool draws(CRun& run, const CRoutine& routine, long line) override;
+  bool plays(CRun& run, const CRoutine& routine, const std::vector<CValue>& arguments, long line) override;
 
   GlState state;
 
@@ -97,6 +102,7 @@ class GlCallReader {
   // Of a colour with alpha, which has no meaning here: three are enough, but told.
   std::optional<glm::dvec3> colour(std::size_t i);
   bool has(std::size_t n);
+  bool first_picture = false;  // numbers that change later are taken as they are at first
   // Where the call starts a complaint: "this glLightfv is left out".
   void refuse(const Words& why, std::initializer_list<Text> values = {});
   void complain(const Words& text, std::initializer_list<Text> values = {});
@@ -119,6 +125,10 @@ bool read_matrix_call(GlState& state, GlCallReader& call);
 bool read_projection_call(GlState& state, GlCallReader& call);
 bool read_draw_call(GlState& state, GlCallReader& call);
 bool read_glut_call(GlState& state, GlCallReader& call);
+
+// Whether the program is an exported one, and a call of one of its routines that stand for OpenGL's.
+bool has_own_matrices(const CProgram& program);
+bool play_own_matrices(GlState& state, GlCallReader& call);
 
 // What is drawn now, but for its shape; a mesh of the program's own.
 GlDraw begin_draw(const GlState& state, long line);

@@ -70,7 +70,6 @@ class Converter {
     const glm::dvec3 away = unit(c.position - c.target) * back;
     c.position = short_numbers(c.position + away), c.target = short_numbers(c.target + away);
     c.near_plane = 0.1, c.far_plane = p.far_plane + back;
-    moved_back_ = true;
     complain(p.line, {"the near plane is behind the eye: the eye moves back instead",
                       "前方クリップ面が視点より後ろにある：代わりに視点を下げる"});
   }
@@ -91,13 +90,7 @@ class Converter {
     if (drawn.empty()) drawn.push_back(begin_draw(s_, 0));
     for (const GlDraw& draw : drawn) {
       Object object;
-      object.model = draw.model.empty() ? "teapot" : draw.model;
-      object.name = object.model, object.tessellation = draw.tessellation;
-      if (draw.model.empty() && draw.line > 0) {
-        own_mesh_lines_.push_back(draw.line);
-        complain(draw.line, {"the program draws a mesh of its own: a teapot stands in its place",
-                             "プログラム独自の形を描いている：代わりにティーポットを置く"});
-      }
+      object.model = object.name = draw.model, object.tessellation = draw.tessellation;
       MatrixCalls calls(behind_view(draw.modelview).begin(), behind_view(draw.modelview).end());
       scales_ = scales_ || has_scale(calls);
       calls.insert(calls.end(), draw.fit.begin(), draw.fit.end());
@@ -227,9 +220,6 @@ class Converter {
     if (!lit && !s_.drawn.empty())
       complain(0, {"GL_LIGHTING is never enabled: OpenGL draws glColor, without light",
                    "GL_LIGHTING が有効になっていない：光源なしで glColor の色になる"});
-    if (s_.drawn.empty())
-      complain(0, {"nothing that is drawn was found: a teapot stands in its place",
-                   "描かれる形が見つからない：代わりにティーポットを置く"});
     if (enabled(gl_constant::depth_test)) return;
     scene_.mistakes.no_depth_test = true;
     complain(0, {"GL_DEPTH_TEST is never enabled: what is drawn last is seen",
@@ -271,8 +261,7 @@ class Converter {
   Complaints& complaints_;
   const MatrixCalls view_;
   Scene scene_;
-  std::vector<long> own_mesh_lines_;
-  bool scales_ = false, moved_back_ = false;
+  bool scales_ = false;
 };
 
 }  // namespace

@@ -104,6 +104,10 @@ bool read_matrix_call(GlState& s, GlCallReader& call) {
     pop(s, call);
   } else if (f == "gluLookAt") {
     look(s, call);
+  } else if (f == "glLoadMatrixd" && s.own.used) {
+    if (s.matrix_mode == gl_constant::modelview) s.modelview = s.own.calls;
+  } else if (f == "glRotated" && s.own.used && !call.arguments.empty() && call.arguments[0].number == 0) {
+    return true;  // what a key turns later
   } else if (f == "glLoadMatrixf" || f == "glLoadMatrixd") {
     auto v = call.numbers(0, 16, true);
     MatrixCalls* calls = current(s);

@@ -1,0 +1,103 @@
+#include "workbench/import_comment.h"
+
+#include <optional>
+
+#include "params/input_error.h"
+#include "params/slots.h"
+#include "scene/text_scanner.h"
+#include "workbench/import.h"
+
+namespace cg {
+
+namespace {
+
+constexpr std::string_view mark = "shadebench import:";
+constexpr std::string_view becomes = " -> ";
+
+// JSON that may stand in a comment: no slash can begin or end one.
+std::string in_comment(const Tree& value) {
+  std::string out;
+  for (const char c : to_json(value, 0)) out += c == '/' ? std::string("\\/") : std::string(1, c);
+  return out;
+}
+
+std::string line(std::string_view path, const Tree& from, const Tree& to) {
+  return " * " + std::string(path) + ": " + in_comment(from) + std::string(becomes) + in_comment(to) + "\n";
+}
+
+template <class Item>
+std::string length_line(std::string_view path, std::vector<Item>& read, const std::vector<Item>& scene) {
+  if (read.size() == scene.size()) return "";
+  const std::string out = line(path, read.size(), scene.size());
+  read.resize(scene.size());
+  return out;
+}
+
+// The two values of "A -> B"; a text in them may hold the arrow.
+struct Change {
+  Tree from, to;
+};
+std::optional<Change> change_of(std::string_view text) {
+  for (std::size_t at = text.find(becomes); at != text.npos; at = text.find(becomes, at + 1)) try {
+      return Change{parse_json(text.substr(0, at), ""), parse_json(text.substr(at + becomes.size()), "")};
+    } catch (const InputError&) {
+    }
+  return std::nullopt;
+}
+
+bool same(const Tree& a, const Tree& b) { return to_json(a, 0) == to_json(b, 0); }
+
+template <class Item>
+bool resize(std::vector<Item>& list, std::string_view path, std::string_view key, const Change& change,
+            std::size_t limit) {
+  if (path != key) return false;
+  const double* n = change.to.number();
+  if (n && *n >= 0 && *n <= double(limit) && same(change.from, list.size())) list.resize(std::size_t(*n));
+  return true;
+}
+
+void apply(Scene& scene, std::string_view path, const Change& change) {
+  if (resize(scene.lights, path, "lights", change, light_limit)) return;
+  if (resize(scene.objects, path, "objects", change, 1000)) return;
+  const Slots all = slots(scene);
+  const Slot& slot = find_slot(all, path);
+  if (same(slot_tree(slot), change.from)) assign(slot, change.to);
+}
+
+}  // namespace
+
+std::string comment_between(const Scene& read, const Scene& scene) {
+  Scene before = read, after = scene;
+  std::string lines =
+      length_line("lights", before.lights, after.lights) + length_line("objects", before.objects, after.objects);
+  const Slots a = slots(before), b = slots(after);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (const Tree from = slot_tree(a[i]), to = slot_tree(b[i]); !same(from, to)) lines += line(a[i].path, from, to);
+  return lines.empty() ? "" : "\n/* " + std::string(mark) + "\n" + lines + " */\n";
+}
+
+void apply_comment(Scene& scene, std::span<const CComment> comments, Complaints& complaints) {
+  for (const CComment& comment : comments) {
+    if (!comment.text.starts_with(mark)) continue;
+    TextScanner scanner(comment.text, "", {});
+    while (scanner.next_line()) {
+      std::string_view text = scanner.rest();
+      if (text.starts_with(mark)) continue;
+      if (text.starts_with("*")) text.remove_prefix(1);
+      while (text.starts_with(" ")) text.remove_prefix(1);
+      const std::size_t colon = text.find(": ");
+      const auto change = colon == text.npos ? std::nullopt : change_of(text.substr(colon + 2));
+      try {
+        if (change)
+          apply(scene, text.substr(0, colon), *change);
+        else if (!text.empty())
+          throw InputError("", Words{"this line of the comment is not understood", "コメントのこの行は解釈できない"});
+      } catch (const InputError& e) {
+        complaints.add(comment.line + scanner.line() - 1,
+                       {e.message(Language::english), e.message(Language::japanese)});
+      }
+    }
+  }
+}
+
+}  // namespace cg
