@@ -1,5 +1,6 @@
 #include "workbench/export.h"
 #include "workbench/export_functions.h"
+#include "workbench/import.h"
 
 namespace cg {
 
@@ -60,7 +61,7 @@ std::string export_c(const Scene& scene, Language language) {
   std::string out = usage(parts, placed, language) + "\n" + parts.prototypes() + "#include <GL/glut.h>\n" +
                     parts.state_and_lights() + camera(parts, language) + parts.materials();
   for (const auto& place : placed) out += place.second;
-  return out;
+  return out + import_comment(scene, out);
 }
 
 }  // namespace cg

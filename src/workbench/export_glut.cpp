@@ -5,6 +5,7 @@
 #include "workbench/export.h"
 #include "workbench/export_functions.h"
 #include "workbench/glut_program.h"
+#include "workbench/import.h"
 
 namespace cg {
 
@@ -220,7 +221,8 @@ class GlutProgram {
 }  // namespace
 
 std::string export_glut(const Scene& scene, const std::string& obj_name, Language language) {
-  return GlutProgram(scene, obj_name, language).text();
+  const std::string text = GlutProgram(scene, obj_name, language).text();
+  return text + import_comment(scene, text);
 }
 
 }  // namespace cg

@@ -258,6 +258,7 @@ ImportReport import_c(std::string_view text, const std::string& where) {
 }
 
 std::string import_comment(const Scene& scene, std::string_view text) {
+  if (text.size() > largest_c_file) return "";  // it could not be read back
   Complaints unheard;
   Scene before = read(text, "", unheard).by_calls;
   // A name that follows from the model's need not be said.

@@ -36,6 +36,8 @@ bool play_own_matrices(GlState& s, GlCallReader& call) {
     append(s, call, MatrixCall::scale, 3);
   } else if (f == "look_at") {
     append(s, call, MatrixCall::look_at, 9);
+  } else if (f == "copy") {
+    s.own.view = s.own.calls;
   } else if (f == "load_modelview") {
     s.modelview = s.own.view;
     s.modelview.insert(s.modelview.end(), s.own.calls.begin(), s.own.calls.end());
