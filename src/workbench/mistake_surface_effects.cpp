@@ -59,11 +59,10 @@ MistakeEffect no_normals_effect(const MistakeScene& s) {
   e.value =
       glm::dot(eye_normal(normals, glm::dvec3(0, 0, 1)), light.directional ? light.position : unit(light.position - P));
   const std::string i = std::to_string(light.index), n = short_number(e.value);
-  const bool exact = light.directional;
-  e.text = {"Every vertex has the normal (0, 0, 1): N·L is " + n +
-                (exact ? " all over the object (light " : " or about that all over the object (light ") + i + ").",
-            "どの頂点でも法線は (0, 0, 1)。物体全体で N·L は" + std::string(exact ? " " : "およそ ") + n + "（光源 " +
-                i + "）。"};
+  e.text = {"Every vertex has the normal (0, 0, 1): N·L is " + std::string(light.directional ? "" : "about ") + n +
+                " all over the object (light " + i + ").",
+            "どの頂点でも法線は (0, 0, 1)。物体全体で N·L は" + std::string(light.directional ? " " : "およそ ") + n +
+                "（光源 " + i + "）。"};
   return e;
 }
 
