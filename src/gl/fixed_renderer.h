@@ -11,6 +11,9 @@ namespace cg {
 // Belongs to one legacy context: every call on its thread.
 class FixedRenderer {
  public:
+  // `like_a_window`: see FrameTarget.
+  explicit FixedRenderer(bool like_a_window = false) : target_(like_a_window) {}
+
   // Runs the passes of `plan`. Throws Cancelled, or InputError (scene not supported, picture or scene too large).
   Frame render(const Scene& scene, const Plan& plan, const View& view, Progress& progress);
   void release();

@@ -63,7 +63,7 @@ void FrameTarget::bind(int width, int height, Layers layers) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
   };
   std::vector<GLenum> outputs{GL_COLOR_ATTACHMENT0};
-  attach(GL_RGBA32F, GL_COLOR_ATTACHMENT0);
+  attach(like_a_window_ ? GL_RGBA8 : GL_RGBA32F, GL_COLOR_ATTACHMENT0);
   if (layers.ids) {
     outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
     attach(GL_RG32I, outputs.back());
@@ -73,6 +73,8 @@ void FrameTarget::bind(int width, int height, Layers layers) {
     attach(GL_RGBA32F, outputs.back());
   }
   attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+  if (like_a_window_ && epoxy_has_gl_extension("GL_MESA_framebuffer_flip_y"))
+    glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
   glDrawBuffers(GLsizei(outputs.size()), outputs.data());
   width_ = width, height_ = height, layers_ = layers;
   try {

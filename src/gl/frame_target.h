@@ -16,6 +16,11 @@ Frame empty_frame(const View& view);
 // Belongs to one context: every call on its thread.
 class FrameTarget {
  public:
+  // `like_a_window`: with what a window has, for comparisons with programs that draw into one: 8 bits a channel, and
+  // the rows in the order in which drivers keep a window's, top first, where they offer it (GL_MESA_framebuffer_flip_y;
+  // it changes how what is interpolated is rounded).
+  explicit FrameTarget(bool like_a_window = false) : like_a_window_(like_a_window) {}
+
   struct Layers {
     bool ids = false;      // colour attachment 1: RG32I, object and primitive
     bool normals = false;  // colour attachment 2 (1 without ids): RGBA32F
@@ -40,6 +45,7 @@ class FrameTarget {
   int height() const { return height_; }
 
  private:
+  const bool like_a_window_;
   int width_ = 0, height_ = 0;
   Layers layers_;
   GLuint framebuffer_ = 0;

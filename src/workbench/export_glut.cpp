@@ -139,7 +139,7 @@ class GlutProgram {
     f.say("glLoadMatrixd( matrix );").gap();
     f.say("glMatrixMode( GL_MODELVIEW );").say("load_identity();");
     f.say("look_at( eye[0], eye[1], eye[2], target[0], target[1], target[2], up[0], up[1], up[2] );");
-    return f.say("glLoadMatrixd( matrix );").say("memcpy( view, matrix, sizeof( view ) );").text();
+    return f.say("glLoadMatrixd( matrix );").say("copy( view, matrix );").text();
   }
 
   // The transform of an object; empty where it has none.

@@ -20,6 +20,14 @@ void load_identity( void )
         matrix[i] = i % 5 == 0 ? 1.0 : 0.0;
 }
 
+void copy( double to[16], const double from[16] )
+{
+    int i;
+
+    for ( i = 0; i < 16; i++ )
+        to[i] = from[i];
+}
+
 /* matrix = a b */
 void multiply( const double a[16], const double b[16] )
 {
@@ -30,7 +38,7 @@ void multiply( const double a[16], const double b[16] )
         for ( row = 0; row < 4; row++ )
             product[4 * column + row] = a[row] * b[4 * column] + a[4 + row] * b[4 * column + 1] +
                                         a[8 + row] * b[4 * column + 2] + a[12 + row] * b[4 * column + 3];
-    memcpy( matrix, product, sizeof( matrix ) );
+    copy( matrix, product );
 }
 
 /* matrix = matrix b, {{of which these are the columns|b の列は}} */

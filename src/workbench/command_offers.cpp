@@ -1,0 +1,127 @@
+// What the program offers on the command line: each command with its options, and the window's.
+#include "workbench/command_parser.h"
+#include "workbench/export_command.h"
+#include "workbench/import_command.h"
+#include "workbench/lesson_check.h"
+
+namespace cg {
+
+void CommandParser::add_all() {
+  add_window();
+  add_render();
+  add_compare();
+  add_probe();
+  add_plan();
+  add_export();
+  add_import();
+  add_lessons();
+}
+
+void CommandParser::add_window() {
+  app_.add_option("SCENE", window.scene, say({"Opened in the window", "ウィンドウで開くもの"}))
+      ->type_name("")
+      ->group("");
+  window_group_ = say({"Options of the window", "ウィンドウのオプション"});
+  const auto in_group = [&](CLI::Option* option) { return option->group(window_group_); };
+  in_group(add(app_, "--size", window_size, "WxH", {"The window's size in pixels", "ウィンドウの大きさ（画素）"}));
+  in_group(add(app_, "--scale", window_scale, "S", {"The size of all type, 1 is usual", "文字などの拡大率。標準は 1"}));
+  in_group(add(app_, "--set", window.set, "NAME=VALUE",
+               {"Set a setting of the window: language=ja", "ウィンドウの設定を変える：language=ja"}))
+      ->allow_extra_args(false);
+  in_group(add(app_, "--screenshot", window.screenshot, "FILE",
+               {"Save a picture of the window, then close it", "ウィンドウの画像を保存して閉じる"}));
+  in_group(app_.add_flag_callback(
+      "--no-session", [this] { window.keep_session = false; },
+      say({"Neither restore nor save the session", "前回の状態を使わず、保存もしない"})));
+  in_group(app_.add_flag("--times", window.times,
+                         say({"Print what the start and the frames take", "起動と描画の時間を表示する"})));
+  add(app_, "--measure-window", window.measure, "SECONDS",
+      {"Drag a slider by script and print how far the pictures are behind",
+       "スライダを自動で動かし、画像の遅れを表示する"})
+      ->group("");  // for who works on the program
+}
+
+void CommandParser::add_render() {
+  CLI::App& app = add_command("render", {"Draw a scene into a file", "シーンを画像ファイルに描く"}, run_render);
+  add(app, "-o,--output", arguments.output, "FILE", {"png, jpg, exr or hdr", "png、jpg、exr、hdr のどれか"});
+  add_technique(app);
+  add_threads(app);
+}
+
+void CommandParser::add_compare() {
+  CLI::App& app =
+      add_command("compare", {"Compare two techniques in numbers", "二つの手法の差を数値で示す"}, run_compare);
+  add(app, "--left", arguments.left, "T",
+      {"A technique; gl-fixed, or gl where that cannot draw the scene", "手法。既定は gl-fixed、描けないときは gl"});
+  add(app, "--right", arguments.right, "T", {"A technique; software", "手法。既定は software"});
+  add(app, "-o,--output", arguments.output, "FILE", {"The difference as a picture", "差の画像"});
+  add(app, "--gain", arguments.gain, "G",
+      {"The difference in a png or jpg is multiplied by this, 32", "png、jpg に書く差の倍率。既定は 32"});
+  add(app, "--max-error", arguments.max_error, "E",
+      {"Exit with 1 where the largest error is over E: 2/255", "最大誤差が E を超えたら終了状態を 1 にする：2/255"});
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+  add_threads(app);
+}
+
+void CommandParser::add_probe() {
+  CLI::App& app = add_command(
+      "probe", {"What the colour of one pixel is made of", "一つの画素の色を、式の各項の数値で示す"}, run_probe);
+  add(app, "--pixel", arguments.pixel, "X,Y", {"The pixel; 0,0 is the top-left one", "画素。左上が 0,0"});
+  add_technique(app);
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+  add_threads(app);
+}
+
+void CommandParser::add_plan() {
+  CLI::App& app = add_command(
+      "plan",
+      {"What a technique runs for a scene, and what it leaves out", "手法が行う処理と、省く処理とその理由を示す"},
+      run_plan);
+  add_technique(app);
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+}
+
+void CommandParser::add_export() {
+  CLI::App& app = add_bare_command(
+      "export", "SCENE",
+      {"Write a scene as a preset, C, a GLUT program or OBJ", "シーンをプリセット、C、GLUT プログラム、OBJ に書き出す"},
+      run_export);
+  add_set(app);
+  add(app, "--as", arguments.format, "FORMAT",
+      {"json, c, glut or obj; else by FILE's ending", "json、c、glut、obj のどれか。省くと FILE の末尾で決める"});
+  add(app, "-o,--output", arguments.output, "FILE",
+      {"The file; of a GLUT program .c, its meshes beside it", "書き出すファイル。glut では .c、メッシュは隣に置く"});
+}
+
+void CommandParser::add_import() {
+  CLI::App& app = add_bare_command(
+      "import", "FILE.c",
+      {"Read the C of a student's program into a preset", "学生の C プログラムを読み、プリセットにする"}, run_import);
+  add(app, "-o,--output", arguments.output, "FILE", {"The preset, json", "プリセット（json）"});
+}
+
+void CommandParser::add_lessons() {
+  CLI::App& app =
+      add_bare_command("lessons", "LESSON", {"List the lessons, or check them", "レッスンの一覧と検査"}, run_lessons);
+  add_flag(app, "--check", arguments.check,
+           {"Compute every number and task; exit with 1 where one is off",
+            "数と課題をすべて計算し、合わなければ終了状態を 1 にする"});
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+}
+
+void CommandParser::add_threads(CLI::App& app) {
+  add(app, "--threads", arguments.threads, "N",
+      {"Threads of the software reference; the picture is the same", "ソフトウェアのスレッド数。結果は変わらない"});
+}
+
+void CommandParser::add_technique(CLI::App& app) {
+  add(app, "--technique", arguments.technique, "T", {"How it is drawn; software", "描く手法。既定は software"})
+      ->description(say({"How it is drawn: ", "描く手法："}) + ids_);
+}
+
+void CommandParser::add_set(CLI::App& app) {
+  add(app, "--set", arguments.set, "PATH=VALUE", {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"})
+      ->allow_extra_args(false);
+}
+
+}  // namespace cg
