@@ -63,7 +63,8 @@ struct LessonNumber {
   std::string expect;     // an expression; empty: nothing is expected (then it is only shown)
   std::string tolerance;  // an expression, absolute
   Text source;            // where the expected value comes from: "closed form: cos^n δ"
-  int digits = 3;         // significant, in a text
+  int digits = 3;         // significant, in a text,
+  int decimals = -1;      // and at most so many behind the point; -1: any
 };
 
 // What the student is asked to reach by turning parameters.

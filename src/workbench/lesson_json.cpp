@@ -120,12 +120,22 @@ void need(const Tree& tree, std::string_view key, const Place& place) {
                  {"add it", "書き加える"});
 }
 
+int whole_in(const Tree& tree, int least, int most, const Place& place) {
+  const double* v = tree.number();
+  if (v && *v >= least && *v <= most) return int(*v);
+  const std::string low = std::to_string(least), high = std::to_string(most);
+  place.refuse({to_json(tree, 0).substr(0, 40) + " is not possible", to_json(tree, 0).substr(0, 40) + " は使えない"},
+               {"give " + low + " to " + high, low + " から " + high + " を書く"});
+}
+
 LessonNumber number_in(const std::string& name, const Tree& tree, const Place& place) {
   if (!is_name(name))
     place.refuse({"this is no name of a number", "数の名前に使えない"},
                  {"use letters, digits and _", "英数字と _ を使う"});
-  check_keys(tree, with_options({"measure", "value", "scene", "against", "expect", "tolerance", "source", "digits"}),
-             place);
+  check_keys(
+      tree,
+      with_options({"measure", "value", "scene", "against", "expect", "tolerance", "source", "digits", "decimals"}),
+      place);
   LessonNumber out;
   out.name = name;
   out.measuring = measuring_in(tree, place);
@@ -137,11 +147,8 @@ LessonNumber number_in(const std::string& name, const Tree& tree, const Place& p
     if (key == "expect") out.expect = expression_in(value, at);
     if (key == "tolerance") out.tolerance = expression_in(value, at);
     if (key == "source") out.source = text_pair_in(value, at);
-    if (key == "digits") {
-      if (!value.number() || !(*value.number() >= 1) || !(*value.number() <= 17))
-        at.refuse({"no number of digits", "桁数に使えない"}, {"give 1 to 17", "1 から 17 を書く"});
-      out.digits = int(*value.number());
-    }
+    if (key == "digits") out.digits = whole_in(value, 1, 17, at);
+    if (key == "decimals") out.decimals = whole_in(value, 0, 15, at);
   }
   if ((out.measuring.what == nullptr) == out.value.empty())
     place.refuse({"a number is measured or computed", "数は測定か計算のどちらか"},

@@ -1,5 +1,7 @@
 #include "workbench/lesson_numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "params/input_error.h"
@@ -83,7 +85,7 @@ class Numbers {
   NumberResult compute(const LessonNumber& number) {
     NumberResult out;
     out.name = number.name;
-    out.digits = number.digits;
+    out.digits = number.digits, out.decimals = number.decimals;
     if (number.measuring.what) out.unit = number.measuring.what->unit;
     try {
       const std::string where = step_.id + "." + number.name;
@@ -115,13 +117,21 @@ class Numbers {
   std::vector<State> state_;
 };
 
-// In significant digits, as a person writes it: 0.0417, 12.5, 100, 1.2e-07; always the same for the same number.
-std::string in_digits(double v, int digits) {
+// As a person writes it: 0.0417, 12.5, 100, 1.2×10⁻⁷.
+std::string in_digits(double v, int digits, int decimals) {
   if (!std::isfinite(v)) return number_text(v);
-  if (std::abs(v) < 1e-12) return "0";
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, v, std::chars_format::general, digits).ptr;
-  return std::string(text, end);
+  if (decimals >= 0) v = std::round(v * std::pow(10.0, decimals)) / std::pow(10.0, decimals);
+  if (v == 0 || std::abs(v) < 1e-12) return "0";
+  char buffer[64];
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::general, digits).ptr);
+  const std::size_t e = text.find('e');
+  if (e == text.npos) return text;
+  std::string exponent = text[e + 1] == '-' ? "⁻" : "";
+  constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::size_t first = text.find_first_not_of("+-0", e + 1);
+  for (std::size_t i = std::min(first, text.size()); i < text.size(); ++i)
+    exponent += raised[std::size_t(text[i] - '0')];
+  return text.substr(0, e) + "×10" + exponent;
 }
 
 }  // namespace
@@ -147,7 +157,7 @@ std::optional<std::string> text_of_number(std::string_view name, const std::vect
                                           const Scene& scene) {
   for (const NumberResult& result : results)
     if (result.name == name)
-      return result.value ? std::optional(in_digits(*result.value, result.digits)) : std::nullopt;
+      return result.value ? std::optional(in_digits(*result.value, result.digits, result.decimals)) : std::nullopt;
   const auto value = parameter(scene, name);
   return value ? std::optional(number_text(*value)) : std::nullopt;
 }

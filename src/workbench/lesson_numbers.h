@@ -12,7 +12,7 @@ namespace cg {
 
 struct NumberResult {
   std::string name, unit;
-  int digits = 3;
+  int digits = 3, decimals = -1;  // as in LessonNumber
   std::optional<double> value;
   std::optional<double> expected, tolerance;
   std::optional<Text> problem;  // why there is no value, or no expected value

@@ -76,6 +76,12 @@ double mean(const MeasureInput& in) {
   return sum / count;
 }
 
+double covered_pixels(const MeasureInput& in) {
+  double count = 0;
+  each_covered(drawn(in), Channel::mean, [&](int, int, double) { ++count; });
+  return count;
+}
+
 double largest_step(const MeasureInput& in) {
   const Frame frame = drawn(in);
   double most = 0;
@@ -232,6 +238,11 @@ constexpr std::array table{
                 "1",
                 {"channel; term, light; technique", "channel、term、light、technique"},
                 mean},
+    Measurement{"covered-pixels",
+                {"Pixels that show a surface", "面の写っている画素の数"},
+                "pixel",
+                {"size; technique", "size、technique"},
+                covered_pixels},
     Measurement{"largest-step",
                 {"Largest step between neighbouring pixels", "隣の画素との差の最大"},
                 "1",

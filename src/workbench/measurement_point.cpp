@@ -120,6 +120,16 @@ ProbedLight factors(const MeasureInput& in) {
                    {"switch light " + std::to_string(index) + " on", "光源 " + std::to_string(index) + " を点ける"});
 }
 
+// As many as light is computed at in Gouraud shading: a position with two normals counts twice.
+double lit_vertices(const MeasureInput& in) {
+  const Shading& shading = in.scene.shading;
+  double count = 0;
+  for (const Object& object : in.scene.objects)
+    if (object.visible && object.mesh)
+      count += double(make_surface(*object.mesh, normal_rule(shading), shading.crease_angle)->positions.size());
+  return count;
+}
+
 constexpr std::array table{
     Measurement{"n-dot-l",
                 {"N·L at a pixel", "画素の N·L"},
@@ -166,6 +176,7 @@ constexpr std::array table{
                 "1",
                 {"object, vertex; space (world or eye), component", "object、vertex、space（world か eye）、component"},
                 vertex_normal},
+    Measurement{"lit-vertices", {"Vertices that are lit", "光を計算する頂点の数"}, "1", {"—", "—"}, lit_vertices},
     Measurement{"vertex-light",
                 {"Light computed at a vertex", "頂点で計算した光"},
                 "1",
