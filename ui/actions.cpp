@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "ui/app.h"
 #include "ui/opening.h"
@@ -135,7 +136,7 @@ void perform(App& app, Do what) {
 void handle_keys(App& app, std::span<const KeyPress> pressed) {
   if (ImGui::GetIO().WantTextInput) return;
   for (const KeyPress& p : pressed) {
-    if (p.key == GLFW_KEY_ESCAPE) app.help = false;
+    if (p.key == GLFW_KEY_ESCAPE && !std::exchange(app.help, false)) app.probing = {};
     if (app.dialogue.kind != Dialogue::none || p.other) continue;
     for (const Action& a : list) {
       if (a.key != p.key || a.ctrl != p.ctrl) continue;

@@ -1,6 +1,7 @@
 // The state that the whole window edits: a scene, two techniques beside each other, and how they are looked at.
 // Panels and panes read and change it in the one thread of the window; a change is found by comparing values.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "ui/code_view.h"
 #include "ui/look.h"
 #include "ui/opening.h"
+#include "ui/probe_jobs.h"
 #include "ui/settings.h"
 #include "workbench/history.h"
 #include "workbench/job.h"
@@ -23,6 +25,14 @@ struct Isolated {
   Quantity term = Quantity::none;
   int light = -1;  // index into Scene::lights; -1: all
   friend bool operator==(const Isolated&, const Isolated&) = default;
+};
+
+// The pixel that is asked about, the same in both pictures.
+struct Probing {
+  std::optional<glm::dvec2> at;  // a part of the picture's width and height, from the top-left corner; nothing: none
+  int side = 0;                  // the picture whose numbers are shown: where it was clicked
+  int vertex = -1;               // with Gouraud shading: whose factors are shown; -1: the interpolated terms
+  std::array<std::shared_ptr<const Probed>, 2> results;  // filled by the panes; null before they are there
 };
 
 // What the panes know about the two newest pictures of the same scene.
@@ -71,6 +81,8 @@ struct App {
   Settings settings;
   Look look;
   Isolated isolated;
+  std::optional<Isolated> peek;  // drawn in its place while the mouse rests on a term; the probe stays as it was
+  Probing probing;
   int light = 0, object = 0;  // selected: indices into the scene's lists; the list may be empty
   bool fit_asked = false;     // the panes fit the camera at the next frame, then clear it
   bool turntable = false;

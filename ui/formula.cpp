@@ -5,17 +5,17 @@
 
 namespace cg {
 
-float text_width(ImFont* font, std::string_view text) {
+float text_width(ImFont* font, std::string_view text, float scale) {
   if (text.empty()) return 0;
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+  return font->CalcTextSizeA(font->FontSize * scale, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
 }
 
-float set_text(ImDrawList* draw, ImFont* font, ImVec2 at, ImU32 colour, std::string_view text) {
+float set_text(ImDrawList* draw, ImFont* font, ImVec2 at, ImU32 colour, std::string_view text, float scale) {
   if (text.empty()) return 0;
   if (draw)
-    draw->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y - font->Ascent)}, colour, text.data(),
-                  text.data() + text.size());
-  return text_width(font, text);
+    draw->AddText(font, font->FontSize * scale, {std::floor(at.x), std::floor(at.y - font->Ascent * scale)}, colour,
+                  text.data(), text.data() + text.size());
+  return text_width(font, text, scale);
 }
 
 namespace {
@@ -45,14 +45,14 @@ std::string_view take_group(std::string_view& s) {
 
 float typeset(ImDrawList* draw, const TypeSize& size, ImVec2 at, ImU32 colour, std::string_view markup) {
   const float start = at.x;
-  const float em = size.base->FontSize;
+  const float em = size.base->FontSize * size.scale, index_scale = size.scale * size.index_scale;
   while (!markup.empty()) {
     if (markup[0] == '_' || markup[0] == '^') {
       const float shift = markup[0] == '_' ? 0.16f * em : -0.30f * em;
-      at.x += set_text(draw, size.index, {at.x, at.y + shift}, colour, take_group(markup)) + 0.04f * em;
+      at.x += set_text(draw, size.index, {at.x, at.y + shift}, colour, take_group(markup), index_scale) + 0.04f * em;
     } else {
       const std::string_view run = markup.substr(0, markup.find_first_of("_^"));
-      at.x += set_text(draw, size.base, at, colour, run);
+      at.x += set_text(draw, size.base, at, colour, run, size.scale);
       markup.remove_prefix(run.size());
     }
   }

@@ -8,6 +8,7 @@ namespace cg {
 
 struct TypeSize {
   ImFont *base, *index;
+  float scale = 1, index_scale = 1;  // of the fonts' own sizes
 };
 
 // Sets `markup` with its baseline at `at` and returns its width. "_" and "^" take the next letter, or a {group},
@@ -18,8 +19,8 @@ inline float typeset_width(const TypeSize& size, std::string_view markup) {
   return typeset(nullptr, size, {0, 0}, 0, markup);
 }
 
-// One line of text with its baseline at `at`; returns its width.
-float set_text(ImDrawList* draw, ImFont* font, ImVec2 at, ImU32 colour, std::string_view text);
-float text_width(ImFont* font, std::string_view text);
+// One line of text with its baseline at `at`, `scale` times as large as the font; returns its width.
+float set_text(ImDrawList* draw, ImFont* font, ImVec2 at, ImU32 colour, std::string_view text, float scale = 1);
+float text_width(ImFont* font, std::string_view text, float scale = 1);
 
 }  // namespace cg

@@ -103,7 +103,8 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   // The pictures keep at least half of the window.
   const float left = std::min(look.px(float(s.left_width)), size.x * 0.4f);
   const float right = s.side == Side::none ? 0 : std::min(look.px(float(s.right_width)), size.x * 0.34f);
-  const float strip = std::min(look.px(float(s.strip_height)), size.y * 0.4f);
+  const double needed = app.probing.at ? 200 : 0;  // by the numbers of a pixel
+  const float strip = std::min(look.px(float(std::max(s.strip_height, needed))), size.y * 0.4f);
   const float middle_h = size.y - bar - strip, middle_w = size.x - left - right;
 
   area(app, "bar", {0, 0}, {size.x, bar}, p.panel, {look.px(16), look.px(8)}, false, [&] { draw_top_bar(app); });

@@ -1,5 +1,7 @@
 #include "ui/pane_gestures.h"
 
+#include <imgui_internal.h>
+
 #include "ui/app.h"
 #include "workbench/camera_control.h"
 
@@ -68,6 +70,7 @@ void go_on(App& app, Gesture& g, Region& region, const Place& place, const Scene
   app.gesture = true;
   if (g.kind == Gesture::light) return drag_light(app, g, place);
   if (d.x == 0 && d.y == 0) return;
+  if (g.kind == Gesture::orbit && !ImGui::IsMouseDragPastThreshold(0)) return;  // it may become a click
   const double height = place.screen_height() * region.factor;
   switch (g.kind) {
     case Gesture::orbit:
@@ -85,6 +88,14 @@ void go_on(App& app, Gesture& g, Region& region, const Place& place, const Scene
     default:
       break;
   }
+}
+
+// A click, no drag: this pixel is asked about.
+void ask_about(App& app, const Gesture& g, const Place& place) {
+  const glm::dvec2 pixel = place.to_picture(g.start);
+  app.probing.at = glm::dvec2(pixel.x / place.width, pixel.y / place.height);
+  app.probing.side = g.side;
+  app.probing.vertex = -1;
 }
 
 void turn_wheel(App& app, Region& region, const Place& place, const Scene& shapes) {
@@ -128,10 +139,9 @@ void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, 
   }
   if (ImGui::IsItemActivated()) begin(app, gesture, pointing, region, side);
   if (gesture.kind == Gesture::none || gesture.side != side) return;
-  if (active)
-    go_on(app, gesture, region, place, shapes);
-  else
-    gesture.kind = Gesture::none;
+  if (active) return go_on(app, gesture, region, place, shapes);
+  if (gesture.kind == Gesture::orbit && !ImGui::IsMouseDragPastThreshold(0)) ask_about(app, gesture, place);
+  gesture.kind = Gesture::none;
 }
 
 }  // namespace cg

@@ -28,8 +28,8 @@ struct Pointing {
 };
 
 // Takes the mouse over a picture at `place`; call once for each picture of a frame. Changes the scene's camera and
-// lights, `region`, and the wipe. `wipe`: the picture has a wipe's edge in it. `shapes`: what the camera must not
-// cut off (the scene as it was drawn).
+// lights, `region`, and the wipe; a click asks about the pixel. `wipe`: the picture has a wipe's edge in it. `shapes`:
+// what the camera must not cut off (the scene as it was drawn).
 void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, const Place& place, int side, bool wipe,
                 const Scene& shapes);
 

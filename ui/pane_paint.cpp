@@ -6,8 +6,10 @@
 #include "image/ramp.h"
 #include "ui/app.h"
 #include "ui/formula.h"
+#include "ui/line_style.h"
 #include "ui/number.h"
 #include "ui/panes.h"
+#include "ui/probe_marks.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -18,11 +20,6 @@ ImVec2 middle(const Place& p) { return {0.5f * (p.low.x + p.high.x), 0.5f * (p.l
 
 // Pictures are mostly dark in either theme: what stands on them is white.
 constexpr ImU32 on_picture = IM_COL32(255, 255, 255, 255);
-
-glm::vec4 vector_of(ImU32 colour) {
-  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
-  return {c.x, c.y, c.z, c.w};
-}
 
 // The colour of a light, made bright: a dark light is seen too.
 ImU32 colour_of(const Light& light) {
@@ -63,29 +60,6 @@ std::string pixel_value(const DrawingHandle& drawing, const glm::dvec2& at) {
   return rounded(double(c.r), 3) + " " + rounded(double(c.g), 3) + " " + rounded(double(c.b), 3);
 }
 
-LineStyle style_of(float scale, Mark mark) {
-  const float w = std::max(1.0f, scale);
-  switch (mark) {
-    case Mark::edge:
-      return {vector_of(faded(IM_COL32(235, 238, 245, 255), 0.55f)), 0.12f, 0.9f * w};
-    case Mark::face_normal:
-      return {vector_of(IM_COL32(235, 238, 245, 235)), 0.12f, 1.3f * w};
-    case Mark::vertex_normal:
-      return {vector_of(IM_COL32(120, 215, 225, 255)), 0.12f, 1.3f * w};
-    case Mark::light:
-      return {vector_of(IM_COL32(255, 244, 200, 130)), 0.35f, 1.1f * w};
-    case Mark::selected_light:
-      return {vector_of(IM_COL32(255, 244, 200, 230)), 0.35f, 1.5f * w};
-    case Mark::axis_x:
-      return {vector_of(IM_COL32(213, 94, 0, 255)), 0.3f, 1.8f * w};
-    case Mark::axis_y:
-      return {vector_of(IM_COL32(0, 158, 115, 255)), 0.3f, 1.8f * w};
-    case Mark::axis_z:
-      return {vector_of(IM_COL32(86, 180, 233, 255)), 0.3f, 1.8f * w};
-  }
-  return {};
-}
-
 }  // namespace
 
 void Panes::paint_picture(App& app, const Texture& texture, const Place& place, float from, float to) {
@@ -110,6 +84,7 @@ void Panes::paint_pane(App& app, int side, const Place& place) {
     paint_picture(app, pictures_[std::size_t(side)], place, 0, 1);
     paint_lines(app, side, place);
     paint_handles(app, place);
+    paint_probe(app, side, place);
     paint_cursor(app, place);
   }
   paint_message(app, side, place);
@@ -128,6 +103,7 @@ void Panes::paint_wipe(App& app, const Place& place) {
                        true);
     paint_picture(app, pictures_[i], place, 0, 1);
     paint_lines(app, side, place);
+    paint_probe(app, side, place);
     draw->PopClipRect();
   }
   paint_handles(app, place);
@@ -157,6 +133,7 @@ void Panes::paint_flip(App& app, const Place& place) {
     if (app.now - flipped_at_ > 0.7) flipped_ = 1 - flipped_, flipped_at_ = app.now;
     app.next_frame = std::min(app.next_frame, flipped_at_ + 0.71);
   }
+  app.probing.side = flipped_;
   paint_pane(app, flipped_, place);
   paint_name(app, flipped_, {place.low.x + app.look.px(10), place.low.y + app.look.px(8)}, false);
   const Words label{"Auto", "自動"};
@@ -178,6 +155,7 @@ void Panes::paint_difference(App& app, const Place& place) {
     paint_picture(app, difference_, place, 0, 1);
     paint_lines(app, 0, place);
     paint_handles(app, place);
+    paint_probe(app, 0, place);
     paint_cursor(app, place);
     paint_worst(app, place);
   }
@@ -190,7 +168,8 @@ void Panes::paint_difference(App& app, const Place& place) {
 void Panes::paint_lines(App& app, int side, const Place& place) {
   const DrawingHandle& drawing = on_screen_[std::size_t(side)];
   const Settings& s = app.settings;
-  if (!drawing || !(s.wireframe || s.face_normals || s.vertex_normals || s.handles || s.axes)) return;
+  const std::shared_ptr<const Probed>& probed = app.probing.results[std::size_t(side)];
+  if (!drawing || !(s.wireframe || s.face_normals || s.vertex_normals || s.handles || s.axes || probed)) return;
   LineCall& call = line_calls_[std::size_t(side)];
   call = {this, side, place, {}, {}, {}};
   const Camera& camera = drawing->scene.camera;
@@ -202,6 +181,7 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
     }
   if (s.axes)
     for (Lines& axis : axis_lines(1.2)) call.more.push_back(std::move(axis));
+  if (probed) add_probe_lines(app, *probed, camera, call.more);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();

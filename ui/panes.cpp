@@ -54,7 +54,8 @@ Place placed(ImVec2 low, ImVec2 high, bool square, int largest, const Region& re
 
 Panes::Panes(const App& app)
     : jobs_(
-          app.techniques, app.wake ? app.wake : [] {}) {
+          app.techniques, app.wake ? app.wake : [] {}),
+      probes_(app.wake) {
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_);
   largest_ = std::clamp(largest_, 64, 16384);
 }
@@ -81,6 +82,7 @@ void Panes::draw(App& app, ImVec2 size) {
   const auto start = std::chrono::steady_clock::now();
   submit(app, place[0]);
   take_pictures(app);
+  ask_probes(app);
   exchange_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report(app);
 
@@ -146,7 +148,8 @@ std::array<Place, 2> Panes::places(App& app, ImVec2 at, ImVec2 size) const {
 void Panes::submit(App& app, const Place& place) {
   if (place.empty()) return;
   Request wanted;
-  wanted.scene = isolated(app.scene, app.isolated.term, app.isolated.light);
+  const Isolated& alone = app.peek ? *app.peek : app.isolated;
+  wanted.scene = isolated(app.scene, alone.term, alone.light);
   wanted.mark_clamped = app.settings.clamped;
   if (wanted.mark_clamped) wanted.scene.shading.clamp = false;
   wanted.view.width = place.width, wanted.view.height = place.height;

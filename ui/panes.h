@@ -5,6 +5,7 @@
 #include "ui/overlay_renderer.h"
 #include "ui/pane_gestures.h"
 #include "ui/pane_jobs.h"
+#include "ui/probe_jobs.h"
 
 namespace cg {
 
@@ -36,6 +37,7 @@ class Panes {
   std::array<Place, 2> places(App& app, ImVec2 at, ImVec2 size) const;
   void submit(App& app, const Place& place);
   void take_pictures(App& app);
+  void ask_probes(App& app);
   void upload(int side);
   void report(App& app);
 
@@ -46,6 +48,7 @@ class Panes {
   void paint_picture(App& app, const Texture& texture, const Place& place, float from, float to);
   void paint_lines(App& app, int side, const Place& place);
   void paint_handles(App& app, const Place& place);
+  void paint_probe(App& app, int side, const Place& place);
   void paint_cursor(App& app, const Place& place);
   void paint_message(App& app, int side, const Place& place);
   void paint_footer(App& app, int side, ImVec2 at, float width);
@@ -57,6 +60,8 @@ class Panes {
   static void draw_lines(const ImDrawList* list, const ImDrawCmd* command);
 
   PaneJobs jobs_;
+  ProbeJobs probes_;
+  std::array<std::uint64_t, 2> probed_from_{};  // serials of the pictures that may be probed
   std::array<Texture, 2> pictures_, depths_;
   Texture difference_;
   std::array<DrawingHandle, 2> on_screen_, depth_of_;

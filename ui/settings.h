@@ -44,7 +44,7 @@ struct Settings {
   Side side = Side::none;
   bool code = true;            // the listing, beside the equation;
   bool code_in_front = false;  // or, where there is no room for both, before it
-  double left_width = 312, right_width = 320, strip_height = 172, code_width = 640;  // of the layout, units
+  double left_width = 312, right_width = 320, strip_height = 200, code_width = 640;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -5,95 +5,15 @@
 #include <string>
 
 #include "ui/app.h"
+#include "ui/equation.h"
 #include "ui/formula.h"
 #include "ui/layout.h"
 #include "ui/number.h"
+#include "ui/probe_strip.h"
 #include "ui/widgets.h"
 
 namespace cg {
 namespace {
-
-// One piece of the equation; with a quantity it is a term that can be isolated.
-struct Piece {
-  std::string markup;
-  Quantity quantity = Quantity::none;
-  bool needs_rays = false;
-};
-
-std::vector<Piece> light_model(const Scene& scene) {
-  const bool blinn = scene.shading.reflection == Reflection::half_vector;
-  const bool emits = scene.material.emission != glm::dvec3(0);
-  std::vector<Piece> out{{"I = "}};
-  if (emits) out.insert(out.end(), {{"E", Quantity::emission}, {" + "}});
-  out.insert(out.end(), {{"I_ak_a", Quantity::ambient},
-                         {" + Σ I_i [ "},
-                         {"k_d(N·L)", Quantity::diffuse},
-                         {" + "},
-                         {blinn ? "k_s(N·H)^n" : "k_s(R·V)^n", Quantity::specular},
-                         {" ] + "},
-                         {"k_rI_r", Quantity::reflection, true},
-                         {" + "},
-                         {"k_tI_t", Quantity::transmission, true}});
-  return out;
-}
-
-const About* about_of(Quantity q) {
-  const About* found = nullptr;
-  std::apply([&](const auto&... f) { ((found = !found && f.about.quantity == q ? &f.about : found), ...); },
-             fields_of<Material>);
-  return found;
-}
-
-void explain_term(App& app, const Piece& piece) {
-  const Language l = app.language();
-  const About* about = about_of(piece.quantity);
-  const Words click = app.isolated.term == piece.quantity
-                          ? Words{"Click: all terms again", "クリックですべての項に戻す"}
-                          : Words{"Click: this term alone", "クリックでこの項だけを描く"};
-  tooltip(app, about ? about->label.in(l) : "", about ? about->help.in(l) : "",
-          piece.needs_rays ? Words{"needs ray tracing", "レイトレーシングが必要"}.in(l) : click.in(l));
-}
-
-void draw_equation(App& app, ImVec2 at, float baseline) {
-  Look& look = app.look;
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const TypeSize size{look.fonts.formula, look.fonts.formula_sub};
-  const float top = at.y, h = look.px(52);
-  float x = at.x;
-  int index = 0;
-  for (const Piece& piece : light_model(app.scene)) {
-    const float w = typeset_width(size, noted(app, piece.markup));
-    const bool term = piece.quantity != Quantity::none;
-    const bool alone = app.isolated.term != Quantity::none;
-    float alpha = 1;
-    if (piece.needs_rays || (alone && app.isolated.term != piece.quantity)) alpha = 0.45f;
-    if (term) {
-      ImGui::PushID(index);
-      ImGui::SetCursorScreenPos({x, top});
-      const bool pressed = ImGui::InvisibleButton("term", {w, h});
-      if (ImGui::IsItemHovered()) {
-        app.lit_next = piece.quantity;
-        if (!piece.needs_rays) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      }
-      if (wants_tooltip(app)) explain_term(app, piece);
-      if (pressed && !piece.needs_rays)
-        app.isolated.term = app.isolated.term == piece.quantity ? Quantity::none : piece.quantity;
-      ImGui::PopID();
-      const bool lit = app.lit == piece.quantity;
-      if (lit || app.isolated.term == piece.quantity)
-        draw->AddRectFilled({x - look.px(3), top + look.px(4)}, {x + w + look.px(3), top + h},
-                            faded(look.of(piece.quantity), lit ? 0.16f : 0.10f), look.px(5));
-      if (lit) alpha = std::max(alpha, 0.7f);
-    }
-    const ImU32 colour = term ? look.of(piece.quantity) : look.palette.text;
-    typeset(draw, size, {x, baseline}, faded(colour, alpha), piece.markup);
-    if (piece.needs_rays && piece.quantity == Quantity::reflection)
-      set_text(draw, look.fonts.small, {x, baseline + look.px(32)}, faded(look.palette.dim, 0.8f),
-               noted(app, Words{"needs ray tracing", "レイトレーシングが必要"}));
-    x += w;
-    ++index;
-  }
-}
 
 // The lights as buttons: one alone, or all.
 void draw_light_choice(App& app) {
@@ -155,20 +75,68 @@ void draw_figures(App& app, float left, float right, float baseline) {
   }
 }
 
+std::string title_of(const App& app, const Probe* probe) {
+  if (probe) return probe_title(app, *probe);
+  return std::string((app.isolated == Isolated{}
+                          ? Words{"Light model", "光源計算の式"}
+                          : Words{"Light model: one part alone", "光源計算の式（一部だけを表示中）"})
+                         .in(app.language()));
+}
+
+// A small cross; true when it was pressed.
+bool close_button(App& app, ImVec2 at) {
+  Look& look = app.look;
+  const float side = look.px(20), arm = look.px(4);
+  ImGui::SetCursorScreenPos({at.x, at.y + look.px(2)});
+  const bool pressed = ImGui::InvisibleButton("close", {side, side});
+  const ImVec2 c{at.x + 0.5f * side, at.y + look.px(2) + 0.5f * side};
+  const ImU32 colour = ImGui::IsItemHovered() ? look.palette.text : look.palette.dim;
+  for (const float way : {1.0f, -1.0f})
+    ImGui::GetWindowDrawList()->AddLine({c.x - arm, c.y - way * arm}, {c.x + arm, c.y + way * arm}, colour,
+                                        look.px(1.5f));
+  if (wants_tooltip(app)) tooltip(app, {}, Words{"No pixel (Esc)", "画素の選択をやめる（Esc）"}.in(app.language()), {});
+  return pressed;
+}
+
+void draw_hint(App& app, float width) {
+  Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Words hint{"Click a pixel in a picture: its numbers stand under the terms",
+                   "画像の画素をクリックすると、各項の下に数値が出る"};
+  if (text_width(look.fonts.small, noted(app, hint)) > width) return;
+  set_text(ImGui::GetWindowDrawList(), look.fonts.small, {at.x, at.y + look.px(18)}, look.palette.dim,
+           noted(app, hint));
+}
+
 }  // namespace
 
 void draw_strip(App& app) {
   Look& look = app.look;
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const std::string_view title =
-      noted(app, app.isolated == Isolated{} ? Words{"Light model", "光源計算の式"}
-                                            : Words{"Light model: one part alone", "光源計算の式（一部だけを表示中）"});
+  if (!(room.x > 1)) return;
+  const Probe* probe = shown_probe(app);
+  const std::string title(noted(app, title_of(app, probe)));
   heading(app, title);
-  draw_figures(app, at.x + text_width(look.fonts.small, title) + look.px(24), at.x + room.x, at.y + look.px(17));
-  const float top = at.y + look.px(24);
-  draw_equation(app, {at.x, top}, top + look.px(37));
-  ImGui::SetCursorScreenPos({at.x, top + look.px(60)});
-  draw_light_choice(app);
+  float right = at.x + text_width(look.fonts.small, title) + look.px(10);
+  if (app.probing.at && close_button(app, {right, at.y})) app.probing = {}, probe = nullptr;
+  right += look.px(app.probing.at ? 30 : 14);
+  const float row = look.px(18), fixed = look.px(24 + 36 + 2 * 19 + 8);
+  const ProbeRows rows =
+      probe ? number_rows(app, *probe, std::size_t(std::max((room.y - fixed) / row, 0.0f))) : ProbeRows{};
+  const bool large = !probe || room.y >= fixed + look.px(14) + row * float(rows.wide.size());
+  if (probe)
+    draw_probe_choices(app, *probe, right, at.x + room.x, at.y + look.px(17));
+  else
+    draw_figures(app, right, at.x + room.x, at.y + look.px(17));
+  float y = at.y + look.px(24);
+  y += draw_equation(app, {at.x, y}, room.x, large, rows.wide, rows.narrow) + look.px(4);
+  ImGui::SetCursorScreenPos({at.x, y + look.px(4)});
+  if (probe) {
+    draw_probe_results(app, *probe, {at.x, y}, room.x);
+  } else {
+    draw_light_choice(app);
+    if (!app.probing.at) draw_hint(app, room.x);
+  }
 }
 
 }  // namespace cg

@@ -8,7 +8,25 @@
 
 namespace cg {
 
-enum class Mark { edge, face_normal, vertex_normal, light, selected_light, axis_x, axis_y, axis_z };
+enum class Mark {
+  edge,
+  face_normal,
+  vertex_normal,
+  light,
+  selected_light,
+  axis_x,
+  axis_y,
+  axis_z,
+  vector_edge,  // dark, under the vectors of a probed point,
+  vector_N,     // which are these
+  vector_L,
+  vector_R,
+  vector_V,
+  vector_H,
+  probed_face,
+  camera,  // seen from outside
+  clip_volume
+};
 
 // Line segments: points 2i and 2i+1 are the ends of one, relative to `origin` so that far scenes survive float.
 struct Lines {

@@ -1,0 +1,15 @@
+// How lines over a picture look, by what they mean.
+#pragma once
+#include <imgui.h>
+
+#include "ui/overlay_renderer.h"
+
+namespace cg {
+
+// Pictures are mostly dark in either theme: what stands on them is light in both. `scale` as in Look.
+LineStyle style_of(float scale, Mark mark);
+
+// Of the vectors of a probed point, as letters and tips have it too.
+ImU32 colour_of(Mark vector);
+
+}  // namespace cg
