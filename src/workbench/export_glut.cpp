@@ -2,6 +2,7 @@
 
 #include "params/numbers.h"
 #include "scene/mesh.h"
+#include "shading/own_light_model.h"
 #include "workbench/export.h"
 #include "workbench/export_functions.h"
 #include "workbench/glut_program.h"
@@ -29,10 +30,10 @@ class GlutProgram {
       : scene_(scene), obj_name_(obj_name), language_(language), parts_(scene, language) {}
 
   std::string text() const {
-    return head() + globals() + in_language(glut_matrices) + std::string(projection()) + std::string(glut_look_at) +
-           in_language(glut_meshes) + heading({"The scene", "シーン"}) + std::string(glut_modelview) +
-           parts_.state_and_lights() + camera() + parts_.materials() + places() + helpers() + draw_mesh() +
-           draw_scene() + in_language(glut_window);
+    return head() + globals() + in_language(glut_matrices) + std::string(projection()) + vectors() +
+           std::string(glut_look_at) + in_language(glut_meshes) + heading({"The scene", "シーン"}) +
+           std::string(glut_modelview) + parts_.state_and_lights() + camera() + parts_.materials() + places() +
+           helpers() + draw_mesh() + draw_scene() + in_language(glut_window);
   }
 
  private:
@@ -155,39 +156,47 @@ class GlutProgram {
     return out;
   }
 
-  // What the mesh's calls name beside OpenGL.
+  // dot and normalize: the light model of the program's own, where it has one, brings them.
+  std::string vectors() const {
+    if (!lights_by_hand(scene_.mistakes)) return std::string(glut_vectors);
+    std::string out = "\n";
+    for (const SourceLine& line : own_light_model(scene_.mistakes))
+      if (!line.missing) out += line.text + "\n";
+    return out;
+  }
+
+  // What the mesh's calls name beside OpenGL and that light model.
   std::string helpers() const {
+    if (mesh_calls_name("no_normal")) return "\nconst float no_normal[] = { 0.0, 0.0, 1.0 };\n";
+    if (!mesh_calls_name("flipped(")) return "";
+    return CFunction("const float *flipped( const float n[3] )", {}, language_)
+        .declare("static float f[3];")
+        .say("f[0] = -n[0], f[1] = -n[1], f[2] = -n[2];")
+        .say("return f;")
+        .text();
+  }
+  bool mesh_calls_name(std::string_view word) const {
     for (const GlCall& call : parts_.calls(GlSection::mesh))
       for (const std::string& token : call.tokens)
-        if (token.find("flipped") != token.npos)
-          return CFunction("const float *flipped( const float n[3] )", {}, language_)
-              .declare("static float f[3];")
-              .say("f[0] = -n[0], f[1] = -n[1], f[2] = -n[2];")
-              .say("return f;")
-              .text();
-    return "";
+        if (!call.missing && token.find(word) != token.npos) return true;
+    return false;
   }
 
   std::string draw_mesh() const {
     CFunction f("void draw_mesh( int mesh )", {}, language_);
     f.declare("long i;");
-    bool in_loop = false, uses_normal = false;
-    for (const GlCall& call : parts_.calls(GlSection::mesh)) {
-      if (call.missing) continue;
-      if (call.function == "glBegin" || call.function == "glEnd") {
-        if (in_loop) f.say("}");
-        f.say(call);
-        if (call.function == "glEnd") continue;
-        f.say("for ( i = first[mesh]; i < first[mesh + 1]; i++ ) {");
-        f.say("    const float *vertex = vertices.numbers + 3 * i;");
-        in_loop = true;
-        continue;
-      }
-      if (!uses_normal && call.function != "glVertex3fv") {
-        f.say("    const float *normal = normals.numbers + 3 * i;").gap();
-        uses_normal = true;
-      }
-      f.say("    " + statement(call).text);
+    if (lights_by_hand(scene_.mistakes)) f.say("read_lights();");
+    std::vector<GlCall> calls = parts_.calls(GlSection::mesh);
+    std::erase_if(calls, [](const GlCall& call) { return call.missing; });
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+      if (i + 1 == calls.size()) f.say("}");  // before glEnd
+      f.say((i > 0 && i + 1 < calls.size() ? "    " : "") + statement(calls[i]).text);
+      if (i > 0) continue;
+      f.say("for ( i = first[mesh]; i < first[mesh + 1]; i++ ) {");
+      f.say("    const float *vertex = vertices.numbers + 3 * i;");
+      if (mesh_calls_name("normal") && !mesh_calls_name("no_normal"))
+        f.say("    const float *normal = normals.numbers + 3 * i;");
+      f.gap();
     }
     return f.text();
   }

@@ -100,17 +100,10 @@ void orthographic( double left, double right, double bottom, double top, double 
 }
 )c";
 
-const std::string_view glut_look_at = R"c(
+const std::string_view glut_vectors = R"c(
 double dot( const double a[3], const double b[3] )
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-void cross( double c[3], const double a[3], const double b[3] )
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
 void normalize( double v[3] )
@@ -120,6 +113,15 @@ void normalize( double v[3] )
 
     for ( i = 0; i < 3 && length > 0; i++ )
         v[i] /= length;
+}
+)c";
+
+const std::string_view glut_look_at = R"c(
+void cross( double c[3], const double a[3], const double b[3] )
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
 void look_at( double eye_x, double eye_y, double eye_z, double target_x, double target_y, double target_z,

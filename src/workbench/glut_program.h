@@ -6,9 +6,10 @@ namespace cg {
 
 // Each {{English|Japanese}} in them stands for one of the two.
 
-// The matrix `matrix` in double, and translate, rotate and scale, which multiply it; perspective or orthographic;
-// look_at. The formulas are those of math/transform.cpp in their order, so that they come to the same bits.
-extern const std::string_view glut_matrices, glut_perspective, glut_orthographic, glut_look_at;
+// The matrix `matrix` in double, and translate, rotate and scale, which multiply it; perspective or orthographic; dot
+// and normalize; look_at. The formulas are those of math/transform.cpp in their order, so that they come to the same
+// bits.
+extern const std::string_view glut_matrices, glut_perspective, glut_orthographic, glut_vectors, glut_look_at;
 
 // What stands around the transform of an object. Needs the variables view and model_angle.
 extern const std::string_view glut_modelview;

@@ -1,5 +1,6 @@
 #include "workbench/listing.h"
 
+#include "shading/own_light_model.h"
 #include "workbench/listing_lines.h"
 
 namespace cg {
@@ -25,6 +26,18 @@ std::string_view function_of(GlSection section) {
 bool together(const GlCall& a, const GlCall& b) {
   if (a.object >= 0 || b.object >= 0) return a.object == b.object;
   return a.section == b.section && a.light == b.light;
+}
+
+// The light model of the program's own, where there is one.
+void add_own_light_model(const Mistakes& mistakes, std::vector<ListingLine>& lines) {
+  if (!lights_by_hand(mistakes)) return;
+  lines.emplace_back();
+  for (const SourceLine& source : own_light_model(mistakes)) {
+    ListingLine line;
+    line.text = source.missing ? "/* " + source.text + " */" : source.text;
+    line.guilty = !source.mistake.empty(), line.comment = source.missing;
+    lines.push_back(std::move(line));
+  }
 }
 
 void add_call(const GlCall& call, Language language, std::vector<ListingLine>& lines) {
@@ -55,6 +68,7 @@ Listing listing(const Scene& scene, Language language) {
     add_call(call, language, out.lines);
     before = &call;
   }
+  add_own_light_model(scene.mistakes, out.lines);
   return out;
 }
 
