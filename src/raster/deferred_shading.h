@@ -1,7 +1,5 @@
-// Colours for the pixels that the visibility buffer found: each visible pixel is shaded once, and of the vertices
-// only those of visible triangles are lit.
-// This work is based on: Henri Gouraud, Continuous Shading of Curved Surfaces, 1971; Bui Tuong Phong, Illumination
-// for Computer Generated Pictures, 1975; Christopher Burns and Warren Hunt, The Visibility Buffer, 2013.
+// Light for what the visibility buffer found: of the vertices only those of visible triangles are lit.
+// This work is based on: Christopher Burns and Warren Hunt, The Visibility Buffer, 2013.
 #pragma once
 #include "raster/visibility.h"
 #include "shading/eye_normal.h"
@@ -13,9 +11,9 @@ namespace cg {
 // its point and normal in eye space.
 template <class Real>
 struct ShadedVertices {
-  std::vector<Vec3<Real>> front, back;  // the colours of the two faces; `back` only where two sides are lit
-  std::vector<Vec3<Real>> P, N;         // in eye space; N is unit where the scene normalises
-  std::vector<std::uint8_t> visible;    // bit 0: of a front face, bit 1: of a back face
+  std::vector<Vec3<Real>> front, back;              // the colours of the two faces; `back` only where two sides are lit
+  std::vector<Vec3<Real>> P, N;                     // in eye space; N is unit where the scene normalises
+  std::vector<std::uint8_t> front_seen, back_seen;  // 1: of a front face, of a back face; the latter as `back`
 };
 
 // What of an object the light model needs.
@@ -31,6 +29,7 @@ struct DeferredShading {
   ShadingMode mode;
   EyeLighting<Real> lighting;
   std::vector<ObjectShading<Real>> objects;  // as in Drawing
+  std::vector<std::uint8_t> seen;            // 1 for each triangle that a pixel shows, by Drawing's numbers
 };
 
 // Marks the vertices that the visible triangles need: all three, or with flat shading the provoking one.
@@ -41,15 +40,5 @@ void mark_visible_vertices(const Drawing& drawing, const VisibilityBuffer& visib
 // Brings the marked vertices to eye space and, but for Phong shading, lights them.
 template <class Real>
 void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Real>& shading);
-
-// The colour of each covered pixel; the others stay as they are. Colours that are not finite become 0 and are
-// counted in Frame::nan_pixels.
-template <class Real>
-void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, const DeferredShading<Real>& shading,
-                  Workers& workers, Frame& frame);
-
-// Depth and coverage; ids and normals where the frame has room for them.
-void resolve_geometry(const Scene& scene, const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
-                      Frame& frame);
 
 }  // namespace cg

@@ -3,11 +3,18 @@
 //   f = (a f_a / w_a + b f_b / w_b + c f_c / w_c) / (a / w_a + b / w_b + c / w_c)
 #pragma once
 #include "raster/drawing.h"
+#include "raster/lanes.h"
 
 namespace cg {
 
-// The weights of a triangle's three vertices at a pixel; their sum is 1. As in OpenGL they come from the vertices
-// before snapping, so at a pixel whose centre was gained by snapping one of them is a little below 0.
+// The weights of a triangle's three vertices, at one pixel or at eight (Number: Real or Lanes<Real>); their sum is 1.
+template <class Number>
+struct Weights {
+  Number a, b, c;
+};
+
+// The weights of a triangle's vertices at a pixel. As in OpenGL they come from the vertices before snapping, so at a
+// pixel whose centre was gained by snapping one of them is a little below 0.
 template <class Real>
 class TriangleWeights {
  public:
@@ -28,40 +35,25 @@ class TriangleWeights {
     }
   }
 
-  // (x, y): the pixel, y counted from the bottom.
+  // (x, y): the pixels, y counted from the bottom.
+  template <class Number>
+  void at(const Number& x, Real y, Weights<Number>& out) const {
+    const Number px = x - x_;
+    const Real py = y - y_;
+    const Number b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
+    const Number aw = (Real(1) - b - c) * w_a_, bw = b * w_b_, cw = c * w_c_;
+    const Number sum = aw + bw + cw, one = Number{} + Real(1);
+    const Number s = Real(1) / (sum != Real(0) ? sum : one);
+    out.a = aw * s, out.b = bw * s, out.c = cw * s;
+  }
   Vec3<Real> at(int x, int y) const {
-    const Real px = Real(x) - x_, py = Real(y) - y_;
-    const Real b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
-    const Real aw = (Real(1) - b - c) * w_a_, bw = b * w_b_, cw = c * w_c_;
-    const Real sum = aw + bw + cw, s = Real(1) / (sum != Real(0) ? sum : Real(1));
-    return {aw * s, bw * s, cw * s};
+    Weights<Real> w;
+    at(Real(x), Real(y), w);
+    return {w.a, w.b, w.c};
   }
 
  private:
   Real x_ = 0, y_ = 0, b_dx_ = 0, b_dy_ = 0, c_dx_ = 0, c_dy_ = 0, w_a_ = 1, w_b_ = 1, w_c_ = 1;
-};
-
-// The weights of the source triangle's own vertices, where the visible one was cut from it.
-template <class Real>
-Vec3<Real> of_source(const std::array<glm::vec3, 3>& weights, const Vec3<Real>& w) {
-  return w.x * Vec3<Real>(weights[0]) + w.y * Vec3<Real>(weights[1]) + w.z * Vec3<Real>(weights[2]);
-}
-
-// A visible triangle, set up for its pixels: three values at its vertices, interpolated.
-template <class Real>
-class TrianglePixels {
- public:
-  TrianglePixels(const DrawnObject& object, std::uint32_t id, const std::array<const WindowVertex*, 3>& window)
-      : weights_(window), cut_(object.is_clipped(id) ? &object.clipped_triangle(id).weights : nullptr) {}
-
-  Vec3<Real> weights(int x, int y) const {
-    const Vec3<Real> w = weights_.at(x, y);
-    return cut_ ? of_source(*cut_, w) : w;
-  }
-
- private:
-  TriangleWeights<Real> weights_;
-  const std::array<glm::vec3, 3>* cut_;
 };
 
 template <class Real>
@@ -70,11 +62,63 @@ Vec3<Real> interpolate(const Vec3<Real>& weights, const Vec3<Real>& a, const Vec
   return a + (weights.y * (b - a) + weights.z * (c - a));
 }
 
+// A vector at a triangle's three vertices, to be interpolated at many pixels.
+template <class Real>
+class CornerVectors {
+ public:
+  CornerVectors() = default;
+  CornerVectors(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) : a_(a), to_b_(b - a), to_c_(c - a) {}
+
+  // As interpolate() does it.
+  void at(const Weights<Lanes<Real>>& w, LaneVectors<Real>& out) const {
+    out.x = a_.x + (w.b * to_b_.x + w.c * to_c_.x);
+    out.y = a_.y + (w.b * to_b_.y + w.c * to_c_.y);
+    out.z = a_.z + (w.b * to_b_.z + w.c * to_c_.z);
+  }
+  Vec3<Real> at(const glm::vec3& weights) const { return a_ + (Real(weights.y) * to_b_ + Real(weights.z) * to_c_); }
+
+ private:
+  Vec3<Real> a_{0}, to_b_{0}, to_c_{0};
+};
+
+// The weights of the source triangle's own vertices, where the visible one was cut from it.
+template <class Real>
+Vec3<Real> of_source(const std::array<glm::vec3, 3>& weights, const Vec3<Real>& w) {
+  return w.x * Vec3<Real>(weights[0]) + w.y * Vec3<Real>(weights[1]) + w.z * Vec3<Real>(weights[2]);
+}
+
 // Is the front face seen: counter-clockwise in the window (glFrontFace( GL_CCW )).
 inline bool is_front_face(const std::array<const WindowVertex*, 3>& v) {
   const std::int64_t x1 = v[1]->snapped_x - v[0]->snapped_x, y1 = v[1]->snapped_y - v[0]->snapped_y;
   const std::int64_t x2 = v[2]->snapped_x - v[0]->snapped_x, y2 = v[2]->snapped_y - v[0]->snapped_y;
   return x1 * y2 - x2 * y1 > 0;
 }
+
+// A visible triangle and the surface's triangle that it is, or was cut from.
+struct SeenTriangle {
+  std::size_t index;  // of the object in Drawing::objects
+  const DrawnObject& object;
+  std::uint32_t source;
+  const std::uint32_t* vertices;  // three
+  std::array<const WindowVertex*, 3> window;
+  const std::array<glm::vec3, 3>* cut;  // the weights of its vertices where it was cut, or null
+
+  SeenTriangle(const Drawing& drawing, std::size_t object_index, std::uint32_t id)
+      : index(object_index),
+        object(drawing.objects[object_index]),
+        source(object.source(id)),
+        vertices(&object.surface->indices[3 * std::size_t(source)]),
+        window(object.window(id)),
+        cut(object.is_clipped(id) ? &object.clipped_triangle(id).weights : nullptr) {}
+  SeenTriangle(const Drawing& drawing, std::uint32_t id) : SeenTriangle(drawing, drawing.object_of(id), id) {}
+
+  // What stands in a list for its three vertices; those that clipping made have theirs interpolated.
+  template <class Real, class Vector>
+  CornerVectors<Real> corners(const std::vector<Vector>& list, Real factor = Real(1)) const {
+    const CornerVectors<Real> whole(factor * Vec3<Real>(list[vertices[0]]), factor * Vec3<Real>(list[vertices[1]]),
+                                    factor * Vec3<Real>(list[vertices[2]]));
+    return cut ? CornerVectors<Real>(whole.at((*cut)[0]), whole.at((*cut)[1]), whole.at((*cut)[2])) : whole;
+  }
+};
 
 }  // namespace cg

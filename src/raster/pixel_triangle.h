@@ -17,7 +17,8 @@ struct PixelTriangle {
   // Of the surface's three vertices of that triangle, as colours, points and normals are interpolated.
   template <class Real>
   Vec3<Real> weights() const {
-    return TrianglePixels<Real>(object, id, object.window(id)).weights(x, y);
+    const Vec3<Real> w = TriangleWeights<Real>(object.window(id)).at(x, y);
+    return object.is_clipped(id) ? of_source(object.clipped_triangle(id).weights, w) : w;
   }
 };
 

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "params/input_error.h"
-#include "raster/deferred_shading.h"
+#include "raster/frame_layers.h"
+#include "raster/pixel_shading.h"
 #include "raster/software_plan.h"
 
 namespace cg {
@@ -101,7 +102,7 @@ Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& pro
   clip_objects(viewport, plan.runs("clip"), workers, drawing);
   workers.done(0.1f);
 
-  buffers.visibility.clear(view.width, view.height);
+  buffers.visibility.resize(view.width, view.height);
   find_visible(drawing, workers, buffers.visibility);
   workers.done(0.6f);
 
@@ -110,8 +111,8 @@ Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& pro
   mark_visible_vertices(drawing, buffers.visibility, workers, shading);
   shade_vertices(drawing, workers, shading);
   workers.done(0.8f);
-  shade_pixels(drawing, buffers.visibility, shading, workers, frame);
-  resolve_geometry(scene, drawing, buffers.visibility, workers, frame);
+  shade_pixels(drawing, buffers.visibility, shading, glm::vec3(scene.display.background), workers, frame);
+  fill_ids_and_normals(scene, drawing, buffers.visibility, workers, frame);
   workers.done(1.0f);
   return frame;
 }

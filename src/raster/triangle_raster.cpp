@@ -1,6 +1,5 @@
 #include "raster/triangle_raster.h"
 
-#include <cstring>
 #ifdef __FMA__
 #include <immintrin.h>
 #endif
@@ -46,17 +45,8 @@ struct Edge {
   }
 };
 
-// `lanes` numbers at once: the vector types of GCC and Clang.
-template <class T>
-struct Lanes {
-  typedef T Type __attribute__((vector_size(lanes * sizeof(T))));
-};
-using FloatLanes = Lanes<float>::Type;
-using MaskLanes = Lanes<std::int32_t>::Type;
-using IdLanes = Lanes<std::uint32_t>::Type;
-
 // The plane's depths at (x, y), multiply_add twice. By reference, as machines without such registers pass them so.
-inline void depths(const DepthPlane& plane, const FloatLanes& x, float y, FloatLanes& z) {
+inline void depths(const DepthPlane& plane, const Lanes<float>& x, float y, Lanes<float>& z) {
 #ifdef __FMA__
   const __m256 row = _mm256_fmadd_ps(_mm256_set1_ps(plane.dx), x, _mm256_set1_ps(plane.at_origin));
   z = _mm256_fmadd_ps(_mm256_set1_ps(plane.dy), _mm256_set1_ps(y), row);
@@ -69,28 +59,23 @@ inline void depths(const DepthPlane& plane, const FloatLanes& x, float y, FloatL
 template <class Int>
 void draw_box(const Band& band, const PixelBox& box, const Edge<Int> (&edges)[3], const DepthPlane& plane,
               std::uint32_t id) {
-  using IntLanes = typename Lanes<Int>::Type;
-  constexpr IntLanes step = {0, 1, 2, 3, 4, 5, 6, 7};
-  const IntLanes dx0 = step * edges[0].dx, dx1 = step * edges[1].dx, dx2 = step * edges[2].dx;
-  const FloatLanes first_x = __builtin_convertvector(step, FloatLanes) + float(box.low_x);
+  constexpr Lanes<Int> step = lane_numbers<Int>;
+  const Lanes<Int> dx0 = step * edges[0].dx, dx1 = step * edges[1].dx, dx2 = step * edges[2].dx;
+  const Lanes<float> first_x = lane_numbers<float> + float(box.low_x);
   VisibilityBuffer& buffer = *band.buffer;
   Int c0 = edges[0].c, c1 = edges[1].c, c2 = edges[2].c;
-  std::size_t at = buffer.row(buffer.height - 1 - box.low_y) + std::size_t(box.low_x);
-  for (int y = box.low_y; y <= box.high_y; ++y, at -= buffer.stride) {
-    IntLanes e0 = dx0 + c0, e1 = dx1 + c1, e2 = dx2 + c2;
-    FloatLanes xs = first_x;
-    for (int x = 0; x <= box.high_x - box.low_x; x += lanes) {
-      const MaskLanes inside = __builtin_convertvector((e0 | e1 | e2) >= 0, MaskLanes);
-      FloatLanes depth, z;
-      IdLanes triangle;
-      std::memcpy(&depth, &buffer.depth[at + std::size_t(x)], sizeof depth);
+  for (int y = box.low_y; y <= box.high_y; ++y) {
+    Lanes<Int> e0 = dx0 + c0, e1 = dx1 + c1, e2 = dx2 + c2;
+    Lanes<float> xs = first_x;
+    PixelGroup* group = &buffer.group(box.low_x, buffer.height - 1 - y);
+    for (int x = box.low_x; x <= box.high_x; x += lanes, group += VisibilityBuffer::tile_height) {
+      PixelGroup& pixels = *group;
+      const Lanes<std::int32_t> inside = __builtin_convertvector((e0 | e1 | e2) >= 0, Lanes<std::int32_t>);
+      Lanes<float> z;
       depths(plane, xs, float(y), z);
-      const MaskLanes wins = inside & (z < depth);
-      std::memcpy(&triangle, &buffer.triangle[at + std::size_t(x)], sizeof triangle);
-      depth = wins ? z : depth;
-      triangle = wins ? IdLanes{} + id : triangle;
-      std::memcpy(&buffer.depth[at + std::size_t(x)], &depth, sizeof depth);
-      std::memcpy(&buffer.triangle[at + std::size_t(x)], &triangle, sizeof triangle);
+      const Lanes<std::int32_t> wins = inside & (z < pixels.depth);
+      pixels.depth = wins ? z : pixels.depth;
+      pixels.triangle = wins ? Lanes<std::uint32_t>{} + id : pixels.triangle;
       e0 += edges[0].dx * lanes, e1 += edges[1].dx * lanes, e2 += edges[2].dx * lanes;
       xs += float(lanes);
     }

@@ -57,16 +57,37 @@ void sort_into_bands(const Drawing& drawing, int height, int band_rows, int band
 
 }  // namespace
 
-void VisibilityBuffer::clear(int w, int h) {
+void VisibilityBuffer::resize(int w, int h) {
   width = w, height = h;
-  stride = std::size_t(w + lanes - 1) / lanes * lanes;
-  depth.assign(stride * std::size_t(h), 1.0f);
-  triangle.assign(stride * std::size_t(h), no_triangle);
+  // Odd: tiles above each other would contend for the same cache lines if they were a power of two apart.
+  groups_a_row_ = unsigned(w + lanes - 1) / lanes | 1u;
+  first_tile_row_ = 0;
+  groups_.resize(std::size_t(tile_rows()) * groups_a_row_ * tile_height);
+}
+
+void VisibilityBuffer::clear_around_row(int w, int h, int y) {
+  resize(w, 1);
+  height = h;
+  first_tile_row_ = unsigned(y / tile_height);
+  clear_tile_row(y / tile_height);
+}
+
+void VisibilityBuffer::clear(int w, int h) {
+  resize(w, h);
+  for (int y = 0; y < tile_rows(); ++y) clear_tile_row(y);
+}
+
+void VisibilityBuffer::clear_tile_row(int tile_y) {
+  const std::size_t size = std::size_t(groups_a_row_) * tile_height;
+  const auto first = groups_.begin() + std::ptrdiff_t((std::size_t(tile_y) - first_tile_row_) * size);
+  std::fill(first, first + std::ptrdiff_t(size),
+            PixelGroup{Lanes<float>{} + 1.0f, Lanes<std::uint32_t>{} + no_triangle});
 }
 
 void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out) {
   std::vector<TrianglePart> parts = parts_of(drawing);
   if (workers.threads() == 1) {  // one band: no sorting
+    out.clear(out.width, out.height);
     workers.for_each(int(parts.size()), [&](int i) {
       const TrianglePart& part = parts[std::size_t(i)];
       for_each_triangle(drawing.objects[part.object], part.triangles, [&](const auto&... triangle) {
@@ -77,11 +98,12 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
   }
   // More bands than threads, so that a thread whose bands are empty takes another's.
   const int band_count = std::min(8 * workers.threads(), std::max(out.height, 1));
-  const int band_rows = (out.height + band_count - 1) / band_count;
+  const int band_rows = ((out.height + band_count - 1) / band_count + 7) / 8 * 8;
   workers.for_each(int(parts.size()),
                    [&](int i) { sort_into_bands(drawing, out.height, band_rows, band_count, parts[std::size_t(i)]); });
   workers.for_each(band_count, [&](int b) {
     const Band band{&out, b * band_rows, std::min((b + 1) * band_rows, out.height)};
+    for (int y = band.top; y < band.bottom; y += 8) out.clear_tile_row(y / 8);
     for (const TrianglePart& part : parts) {
       workers.check();
       for (const std::uint32_t id : part.of_band[std::size_t(b)]) {
@@ -93,10 +115,8 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
 }
 
 std::uint32_t visible_at(const Drawing& drawing, int width, int height, int x, int y) {
-  // A buffer whose rows are all the same one, as only the pixel's is drawn to.
-  VisibilityBuffer row;
-  row.clear(width, 1);
-  row.height = height, row.stride = 0;
+  VisibilityBuffer buffer;
+  buffer.clear_around_row(width, height, y);
   const int from_bottom = height - 1 - y;
   for (const DrawnObject& object : drawing.objects)
     for_each_triangle(object, {0, object.surface->triangle_count()},
@@ -104,9 +124,9 @@ std::uint32_t visible_at(const Drawing& drawing, int width, int height, int x, i
                         const PixelBox box = pixel_box(v0, v1, v2);
                         const bool near_it =
                             box.low_x <= x && x <= box.high_x && box.low_y <= from_bottom && from_bottom <= box.high_y;
-                        if (near_it) draw_triangle({&row, y, y + 1}, v0, v1, v2, id);
+                        if (near_it) draw_triangle({&buffer, y, y + 1}, v0, v1, v2, id);
                       });
-  return row.triangle[std::size_t(x)];
+  return buffer.triangle(x, y);
 }
 
 }  // namespace cg

@@ -7,27 +7,51 @@
 #include <tbb/cache_aligned_allocator.h>
 
 #include "raster/drawing.h"
+#include "raster/lanes.h"
 
 namespace cg {
 
-// Pixels eight at a time, in groups that begin at multiples of eight in every triangle: a processor reads what it
-// has just written without waiting only where it reads the same eight. Rows are padded to whole groups.
-inline constexpr int lanes = 8;
-
-// Row 0 is the top row, as in Image.
-struct VisibilityBuffer {
-  int width = 0, height = 0;
-  std::size_t stride = 0;
-  template <class T>
-  using Pixels = std::vector<T, tbb::cache_aligned_allocator<T>>;
-  Pixels<float> depth;             // window depth; 1 where nothing is
-  Pixels<std::uint32_t> triangle;  // Drawing's number, or no_triangle
-
-  void clear(int w, int h);
-  std::size_t row(int y) const { return std::size_t(y) * stride; }
+// Eight neighbouring pixels, beginning at a multiple of eight: a cache line. All triangles write to the same groups, as
+// a processor reads what it has just written without waiting only where it reads the same eight.
+struct alignas(64) PixelGroup {
+  Lanes<float> depth;             // window depth; 1 where nothing is
+  Lanes<std::uint32_t> triangle;  // Drawing's number, or no_triangle
 };
 
-// Fills `out`, of the picture's size and cleared. Of triangles at the same depth the one drawn first stays, as with
+// Row 0 is the top row, as in Image. In memory, groups stand in tiles of 8x8 pixels, so that a small triangle finds its
+// pixels side by side and a processor needs few pages at a time. What stands in the padding to whole tiles means
+// nothing.
+class VisibilityBuffer {
+ public:
+  int width = 0, height = 0;
+
+  // Room for a picture; its pixels mean nothing before they are cleared.
+  void resize(int w, int h);
+  // Room for the tiles with row y alone, cleared.
+  void clear_around_row(int w, int h, int y);
+  void clear(int w, int h);
+  int tile_rows() const { return (height + tile_height - 1) / tile_height; }
+  void clear_tile_row(int tile_y);
+
+  // The pixels x / 8 * 8 .. + 7 of row y.
+  PixelGroup& group(int x, int y) { return groups_[index(x, y)]; }
+  const PixelGroup& group(int x, int y) const { return groups_[index(x, y)]; }
+  float depth(int x, int y) const { return group(x, y).depth[x % lanes]; }
+  std::uint32_t triangle(int x, int y) const { return group(x, y).triangle[x % lanes]; }
+
+  static constexpr int tile_height = 8;
+
+ private:
+  std::size_t index(int x, int y) const {
+    const unsigned row = unsigned(y),
+                   tile = (row / tile_height - first_tile_row_) * groups_a_row_ + unsigned(x) / lanes;
+    return std::size_t(tile) * tile_height + row % tile_height;
+  }
+  unsigned groups_a_row_ = 0, first_tile_row_ = 0;
+  std::vector<PixelGroup, tbb::cache_aligned_allocator<PixelGroup>> groups_;
+};
+
+// Fills `out`, of the picture's size. Of triangles at the same depth the one drawn first stays, as with
 // GL_LESS. Both faces are drawn.
 void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out);
 

@@ -144,14 +144,13 @@ MistakeEffect no_depth_test_effect(const MistakeScene& s, const View& view) {
   std::size_t covered = 0, wrong = 0;
   if (!drawing.objects.empty()) {
     VisibilityBuffer nearest, last;
-    nearest.clear(view.width, view.height), last.clear(view.width, view.height);
+    nearest.resize(view.width, view.height), last.clear(view.width, view.height);
     find_visible(drawing, workers, nearest);
     find_last(drawing, last);
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x) {
-        const std::size_t i = nearest.row(y) + std::size_t(x);
-        covered += nearest.triangle[i] != no_triangle;
-        wrong += nearest.triangle[i] != last.triangle[i];
+        covered += nearest.triangle(x, y) != no_triangle;
+        wrong += nearest.triangle(x, y) != last.triangle(x, y);
       }
   }
   MistakeEffect e;

@@ -9,6 +9,12 @@
 namespace cg {
 namespace {
 
+VisibilityBuffer cleared(int width, int height) {
+  VisibilityBuffer buffer;
+  buffer.clear(width, height);
+  return buffer;
+}
+
 WindowVertex window_vertex(double x, double y, double z) {
   WindowVertex v{float(x), float(y), float(z), 1, 0, 0, 0};
   v.snapped_x = std::int32_t(std::lrint((v.x - 0.5f) * float(subpixels)));
@@ -20,12 +26,10 @@ WindowVertex window_vertex(double x, double y, double z) {
 std::vector<int> coverage_of_fan(const WindowVertex& centre, const std::vector<WindowVertex>& rim, int size) {
   std::vector<int> count(std::size_t(size) * std::size_t(size));
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    VisibilityBuffer buffer;
-    buffer.clear(size, size);
+    VisibilityBuffer buffer = cleared(size, size);
     draw_triangle({&buffer, 0, size}, centre, rim[i], rim[(i + 1) % rim.size()], 7);
     for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x)
-        count[std::size_t(y * size + x)] += buffer.triangle[buffer.row(y) + std::size_t(x)] == 7;
+      for (int x = 0; x < size; ++x) count[std::size_t(y * size + x)] += buffer.triangle(x, y) == 7;
   }
   return count;
 }
@@ -48,40 +52,40 @@ TEST(Visibility, NeighboursNeitherOverlapNorLeaveGaps) {
 }
 
 TEST(Visibility, DepthIsLinearInTheWindow) {
-  VisibilityBuffer buffer;
-  buffer.clear(64, 64);
+  VisibilityBuffer buffer = cleared(64, 64);
   const auto depth = [](double x, double y) { return 0.1 + 0.004 * x + 0.007 * y; };
   const auto vertex = [&](double x, double y) { return window_vertex(x, y, depth(x, y)); };
   draw_triangle({&buffer, 0, 64}, vertex(-0.0, 0), vertex(64, 3), vertex(10, 60), 1);
   std::size_t covered = 0;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
-      const std::size_t i = buffer.row(63 - y) + std::size_t(x);
-      if (buffer.triangle[i] != 1) continue;
+      if (buffer.triangle(x, 63 - y) != 1) continue;
       ++covered;
-      EXPECT_NEAR(buffer.depth[i], depth(x + 0.5, y + 0.5), 3e-7);
+      EXPECT_NEAR(buffer.depth(x, 63 - y), depth(x + 0.5, y + 0.5), 3e-7);
     }
   EXPECT_GT(covered, 1000u);
 }
 
 TEST(Visibility, OfEqualDepthsTheFirstStays) {
-  VisibilityBuffer buffer;
-  buffer.clear(8, 8);
+  VisibilityBuffer buffer = cleared(8, 8);
   const WindowVertex a = window_vertex(0, 0, 0.5), b = window_vertex(8, 0, 0.5), c = window_vertex(0, 8, 0.5);
   draw_triangle({&buffer, 0, 8}, a, b, c, 1);
   draw_triangle({&buffer, 0, 8}, b, a, c, 2);
-  for (const std::uint32_t id : buffer.triangle) EXPECT_NE(id, 2u);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_NE(buffer.triangle(x, y), 2u);
 }
 
 TEST(Visibility, BandsMakeOnePicture) {
-  VisibilityBuffer whole, bands;
-  whole.clear(50, 50), bands.clear(50, 50);
+  VisibilityBuffer whole = cleared(50, 50), bands = cleared(50, 50);
   const WindowVertex a = window_vertex(3.3, 1.7, 0.2), b = window_vertex(47.1, 20.2, 0.8),
                      c = window_vertex(11, 49, 0.4);
   draw_triangle({&whole, 0, 50}, a, b, c, 1);
   for (int top = 0; top < 50; top += 7) draw_triangle({&bands, top, std::min(top + 7, 50)}, a, b, c, 1);
-  EXPECT_EQ(whole.triangle, bands.triangle);
-  EXPECT_EQ(whole.depth, bands.depth);
+  for (int y = 0; y < 50; ++y)
+    for (int x = 0; x < 50; ++x) {
+      EXPECT_EQ(whole.triangle(x, y), bands.triangle(x, y));
+      EXPECT_EQ(whole.depth(x, y), bands.depth(x, y));
+    }
 }
 
 }  // namespace
