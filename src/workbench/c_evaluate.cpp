@@ -5,7 +5,7 @@
 namespace cg {
 
 CValue CRun::undefined(const CExpression& e) {
-  return memory.unknown(phrase({"{0} has no value here", "{0} の値が求められない"}, {in_quotes(e.op)}));
+  return memory.unknown(phrase({"{0} has no value here", "{0}の値が求められない"}, {in_quotes(e.op)}));
 }
 
 CValue CRun::evaluate(const CExpression& e) {
@@ -38,7 +38,7 @@ CValue CRun::evaluate(const CExpression& e) {
     case CExpression::call:
       return evaluate_call(e);
     case CExpression::member:
-      return memory.unknown(phrase({"the member {0} of a structure is not read", "構造体のメンバー {0} は読み込めない"},
+      return memory.unknown(phrase({"the member {0} of a structure is not read", "構造体のメンバー{0}は読み込めない"},
                                    {in_quotes(e.name)}));
     case CExpression::cast:
       if (e.operands[0].kind == CExpression::list) return evaluate_literal(e);
@@ -63,7 +63,7 @@ CValue CRun::evaluate_name(const CExpression& e) {
     return v;
   }
   if (const auto v = host_->constant(e.name)) return *v;
-  return memory.unknown(phrase({"{0} is not known", "{0} が分からない"}, {in_quotes(e.name)}));
+  return memory.unknown(phrase({"{0} is not known", "{0}が分からない"}, {in_quotes(e.name)}));
 }
 
 CValue CRun::evaluate_unary(const CExpression& e) {
@@ -108,7 +108,7 @@ CValue CRun::evaluate_binary(const CExpression& e) {
   const CValue result = c_binary(e.op, a, b, undefined(e).reason);
   const bool literal = e.operands[0].kind == CExpression::number && e.operands[1].kind == CExpression::number;
   if (e.op == "/" && literal && result.integer && result.number * b.number != a.number)
-    complain(e.line, phrase({"{0}/{1} of whole numbers is {2} in C", "整数の割り算 {0}/{1} は C では {2}"},
+    complain(e.line, phrase({"{0}/{1} of whole numbers is {2} in C", "整数の割り算{0}/{1}は C では{2}"},
                             {text_of(int(a.number)), text_of(int(b.number)), text_of(int(result.number))}));
   return result;
 }
@@ -146,7 +146,7 @@ void CRun::store(const CExpression& target, const std::optional<CAddress>& at, c
       *cell = value;
       return;
     }
-    complain(target.line, phrase({"{0} is written outside its range", "{0} の範囲の外に書き込む"},
+    complain(target.line, phrase({"{0} is written outside its range", "{0}の範囲の外に書き込む"},
                                  {in_quotes(memory.variable(at->variable).name)}));
     return;
   }
@@ -155,7 +155,7 @@ void CRun::store(const CExpression& target, const std::optional<CAddress>& at, c
   if (name->kind != CExpression::variable) return;
   if (const int variable = memory.find(name->name); variable >= 0)
     memory.forget(variable,
-                  phrase({"it cannot be told which element of {0} changes", "{0} のどの要素が変わるか分からない"},
+                  phrase({"it cannot be told which element of {0} changes", "{0}のどの要素が変わるか分からない"},
                          {in_quotes(name->name)}));
 }
 
@@ -199,7 +199,7 @@ CValue CRun::evaluate_call(const CExpression& e) {
     for (const CValue& a : arguments)
       if (a.is_address())
         memory.forget(a.address.variable,
-                      phrase({"{0} may change {1}", "{0} が {1} を変えうる"},
+                      phrase({"{0} may change {1}", "{0}が{1}を変えうる"},
                              {in_quotes(callee.name), in_quotes(memory.variable(a.address.variable).name)}));
   return host_->call(*this, callee.name, arguments, e.line);
 }

@@ -61,7 +61,7 @@ CExpression number_of(const CToken& t) {
   e.kind = CExpression::number, e.line = t.line;
   std::string_view s = t.spelling;
   const auto refuse = [&] {
-    throw CSyntaxError{t.line, phrase({"{0} is not a number", "{0} は数ではない"}, {in_quotes(t.spelling)})};
+    throw CSyntaxError{t.line, phrase({"{0} is not a number", "{0}は数ではない"}, {in_quotes(t.spelling)})};
   };
   const bool hex = s.starts_with("0x") || s.starts_with("0X");
   e.integer = hex || s.find_first_of(".eE") == s.npos;
@@ -224,7 +224,7 @@ void CCursor::fail() const {
                        {"the program ends in the middle: a brace or a semicolon is missing",
                         "プログラムが途中で終わっている：括弧かセミコロンが足りない"}};
   throw CSyntaxError{t.line,
-                     phrase({"{0} is not understood here", "{0} はここでは解釈できない"}, {in_quotes(t.spelling)})};
+                     phrase({"{0} is not understood here", "{0}はここでは解釈できない"}, {in_quotes(t.spelling)})};
 }
 
 CCursor::Nesting::Nesting(CCursor& c) : cursor(c) {

@@ -145,7 +145,7 @@ class Preprocessor {
     } else if (name == "undef") {
       if (!rest.empty()) macros_.erase(rest[0].spelling);
     } else if (name == "include" && !rest.empty() && rest[0].kind == CToken::text) {
-      complaints_.add(line[0].line, phrase({"the file {0} is not read", "ファイル {0} は読まない"},
+      complaints_.add(line[0].line, phrase({"the file {0} is not read", "ファイル{0}は読まない"},
                                            {in_quotes(rest[0].spelling.substr(1, rest[0].spelling.size() - 2))}));
     }
   }
@@ -154,7 +154,7 @@ class Preprocessor {
     return std::all_of(branches_.begin(), branches_.end() - 1, [](const Branch& b) { return b.live; });
   }
   void stray(const CToken& t) {
-    complaints_.add(t.line, phrase({"{0} has no #if", "{0} に対応する #if がない"}, {in_quotes(t.spelling)}));
+    complaints_.add(t.line, phrase({"{0} has no #if", "{0}に対応する #if がない"}, {in_quotes(t.spelling)}));
   }
   bool defined(TokenSpan rest) const { return !rest.empty() && macros_.contains(rest[0].spelling); }
 

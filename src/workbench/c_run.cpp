@@ -49,7 +49,7 @@ CValue CRun::call(const CRoutine& f, const std::vector<CValue>& arguments, long 
   if (host_->plays(*this, f, arguments, line))
     return memory.unknown({"a function that draws has no value", "描く関数に値はない"});
   if (depth_ >= deepest_call) {
-    complain(line, phrase({"{0} calls itself too deeply to be followed", "{0} の呼び出しが深すぎて追えない"},
+    complain(line, phrase({"{0} calls itself too deeply to be followed", "{0}の呼び出しが深すぎて追えない"},
                           {in_quotes(f.name)}));
     return memory.unknown({"a function calls itself too deeply", "関数の呼び出しが深すぎる"});
   }
@@ -61,7 +61,7 @@ CValue CRun::call(const CRoutine& f, const std::vector<CValue>& arguments, long 
     if (!d.pointer && d.lengths.empty()) value = c_converted(value, d.integer, -1);
     memory.declare(d.name, d.integer, {}, value);
   }
-  returned_ = memory.unknown(phrase({"{0} returns no value", "{0} は値を返さない"}, {in_quotes(f.name)}));
+  returned_ = memory.unknown(phrase({"{0} returns no value", "{0}は値を返さない"}, {in_quotes(f.name)}));
   run_list(f.body.body);
   memory.leave_function(before);
   --depth_;
@@ -237,12 +237,12 @@ void CRun::declare(const CDeclaration& d) {
   const Text name = in_quotes(d.name);
   const CValue start =
       !d.known || !lengths
-          ? memory.unknown(phrase({"values of the type of {0} are not read", "{0} の型の値は読み込めない"}, {name}))
+          ? memory.unknown(phrase({"values of the type of {0} are not read", "{0}の型の値は読み込めない"}, {name}))
       : lasting ? c_converted(c_integer(0), d.integer, -1)
-                : memory.unknown(phrase({"{0} has no value yet", "{0} にはまだ値がない"}, {name}));
+                : memory.unknown(phrase({"{0} has no value yet", "{0}にはまだ値がない"}, {name}));
   const int variable = memory.declare(d.name, d.integer, lengths.value_or(std::vector<std::size_t>{}), start);
   if (variable < 0) {
-    memory.declare(d.name, d.integer, {}, memory.unknown(phrase({"{0} is too large", "{0} は大きすぎる"}, {name})));
+    memory.declare(d.name, d.integer, {}, memory.unknown(phrase({"{0} is too large", "{0}は大きすぎる"}, {name})));
     return;
   }
   if (d.is_static) statics_[&d] = variable;
@@ -258,7 +258,7 @@ void CRun::declare(const CDeclaration& d) {
         d.pointer ? value : c_converted(value, d.integer, memory.reason({"the number is too large", "数が大きすぎる"}));
   } else {
     memory.forget(variable,
-                  phrase({"the initial value of {0} is not understood", "{0} の初期値が解釈できない"}, {name}));
+                  phrase({"the initial value of {0} is not understood", "{0}の初期値が解釈できない"}, {name}));
   }
 }
 

@@ -149,7 +149,7 @@ class Lexer {
     }
     const std::size_t begin = i_;
     while (i_ < s_.size() && (std::uint8_t(s_[i_]) >= 0x80 || (i_ == begin && s_[i_] != '\n'))) ++i_;
-    complaints_.add(line_, phrase({"{0} is not C: skipped", "{0} は C の文字ではないので読み飛ばす"},
+    complaints_.add(line_, phrase({"{0} is not C: skipped", "{0}は C の文字ではないので読み飛ばす"},
                                   {in_quotes(s_.substr(begin, i_ - begin))}));
   }
 

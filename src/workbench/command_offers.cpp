@@ -1,6 +1,7 @@
 // What the program offers on the command line: each command with its options, and the window's.
 #include "workbench/command_parser.h"
 #include "workbench/export_command.h"
+#include "workbench/grade_command.h"
 #include "workbench/import_command.h"
 #include "workbench/lesson_check.h"
 
@@ -14,6 +15,7 @@ void CommandParser::add_all() {
   add_plan();
   add_export();
   add_import();
+  add_grade();
   add_lessons();
 }
 
@@ -98,6 +100,16 @@ void CommandParser::add_import() {
       "import", "FILE.c",
       {"Read the C of a student's program into a preset", "学生の C プログラムを読み、プリセットにする"}, run_import);
   add(app, "-o,--output", arguments.output, "FILE", {"The preset, json", "プリセット（json）"});
+}
+
+void CommandParser::add_grade() {
+  CLI::App& app = add_bare_command(
+      "grade", "STUDENT",
+      {"Score a student's preset or C against a target", "学生のプリセットや C を目標と比べて採点する"}, run_grade);
+  add(app, "--target", arguments.target, "SCENE", {"The scene to be matched", "目標のシーン"});
+  add(app, "--pass", arguments.pass, "SCORE",
+      {"Exit with 1 where the score is below this, 0 to 100", "点数がこれより低ければ終了状態を 1 にする（0〜100）"});
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 
 void CommandParser::add_lessons() {

@@ -47,6 +47,7 @@ class CommandParser {
   void add_plan();
   void add_export();
   void add_import();
+  void add_grade();
   void add_lessons();
   // Options of several commands.
   void add_threads(CLI::App& app);

@@ -16,6 +16,7 @@ struct Arguments {
   std::string size, threads, max_error, gain;
   std::string pixel;  // x,y
   std::string output, format;
+  std::string target, pass;  // of a grade
   bool json = false;
   bool check = false;
 };

@@ -119,7 +119,7 @@ class Importer {
   }
 
   static Text changes(std::string_view name) {
-    return phrase({"{0} changes while the program runs", "{0} は実行中に変わる"}, {in_quotes(name)});
+    return phrase({"{0} changes while the program runs", "{0}は実行中に変わる"}, {in_quotes(name)});
   }
 
   // What keys, the mouse and the clock change.
