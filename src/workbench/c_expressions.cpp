@@ -97,7 +97,8 @@ CExpression parse_primary(CCursor& c) {
     while (c.peek().kind == CToken::text) c.take();  // adjacent strings are one
     return e;
   }
-  if (t.kind == CToken::name && t.spelling != "sizeof") {
+  if (t.is("std") && c.at("::", 1)) c.take(), c.take();
+  if (c.peek().kind == CToken::name && !c.at("sizeof")) {
     e.kind = CExpression::variable, e.name = c.take().spelling;
     return e;
   }

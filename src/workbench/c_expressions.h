@@ -20,6 +20,8 @@ class CCursor {
   const CToken& peek(std::size_t ahead = 0) const { return tokens_[std::min(i_ + ahead, tokens_.size() - 1)]; }
   bool at(std::string_view s, std::size_t ahead = 0) const { return peek(ahead).is(s); }
   bool at_end() const { return peek().kind == CToken::end; }
+  // The line of the token before.
+  long last_line() const { return tokens_[i_ > 0 ? i_ - 1 : 0].line; }
   const CToken& take() {
     const CToken& t = peek();
     if (i_ + 1 < tokens_.size()) ++i_;

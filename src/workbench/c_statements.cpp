@@ -55,6 +55,13 @@ class Parser {
     }
   }
 
+  // Where the next line goes on with something else, the semicolon was forgotten: it is told, and the statement counts.
+  void end_statement() {
+    if (c_.accept(";")) return;
+    if (c_.peek().line == c_.last_line() && !c_.at("}")) c_.fail();
+    complaints_.add(c_.last_line(), {"a semicolon is missing at the end of the line", "行末にセミコロンがない"});
+  }
+
   // ---- declarations ----
 
   struct Type {
@@ -192,7 +199,7 @@ class Parser {
       if (!d.name.empty() && !type.is_typedef) out.declarations.push_back(std::move(d));
       if (!c_.accept(",")) break;
     }
-    c_.expect(";");
+    end_statement();
   }
 
   void skip_parentheses() {
@@ -226,6 +233,7 @@ class Parser {
 
   void top_level() {
     if (c_.accept(";")) return;
+    if (c_.at("using")) return skip_line();
     const bool bare =
         c_.peek().kind == CToken::name && c_.at("(", 1) && !at_keyword() && body_follows();  // main() { ... }
     if (!bare && !at_declaration()) return put(program_.top, statement());
@@ -248,6 +256,11 @@ class Parser {
       ++k;
     } while (level > 0);
     return c_.at("{", k);
+  }
+
+  // using namespace std;
+  void skip_line() {
+    while (!c_.at_end() && !c_.accept(";")) c_.take();
   }
 
   void function(const CDeclaration& head) {
@@ -309,7 +322,7 @@ class Parser {
     if (at_declaration()) return declaration();
     out.kind = CStatement::expression;
     out.expressions.push_back(parse_expression(c_));
-    c_.expect(";");
+    end_statement();
     return out;
   }
 
@@ -331,7 +344,7 @@ class Parser {
     }
     c_.take();
     if (out.kind == CStatement::return_ && !c_.at(";")) out.expressions.push_back(parse_expression(c_));
-    c_.expect(";");
+    end_statement();
     return true;
   }
 
@@ -363,10 +376,10 @@ class Parser {
       first = declaration();
     } else {
       if (!c_.at(";")) out.expressions[0] = parse_expression(c_);
-      c_.expect(";");
+      end_statement();
     }
     if (!c_.at(";")) out.expressions[1] = parse_expression(c_);
-    c_.expect(";");
+    end_statement();
     if (!c_.at(")")) out.expressions[2] = parse_expression(c_);
     c_.expect(")");
     out.body.push_back(statement());
@@ -391,7 +404,7 @@ class Parser {
     out.body.push_back(statement());
     c_.expect("while");
     out.expressions.push_back(in_parentheses());
-    c_.expect(";");
+    end_statement();
     return out;
   }
 

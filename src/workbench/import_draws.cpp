@@ -125,6 +125,10 @@ bool read_draw_call(GlState& s, GlCallReader& call) {
   const std::string_view f = call.function;
   GlDraw draw = begin_draw(s, call.line);
   const bool solid = f.starts_with("glutSolid"), wire = f.starts_with("glutWire");
+  if (f == "glBegin" && !call.arguments.empty() && call.arguments[0].number < 4) {
+    call.complain({"lines and points are not drawn here", "線と点は描けない"});
+    return true;
+  }
   const bool begins = f == "glBegin" || f.starts_with("glDraw") || f == "glCallList";
   if (solid || wire) {
     if (wire) call.complain({"lines are not drawn here: the shape comes solid", "線では描けない：面のある形になる"});

@@ -57,6 +57,7 @@ void set_light(GlState& s, GlLightState& light, GlCallReader& call, int what, bo
       (what == ambient ? light.ambient : what == diffuse ? light.diffuse : light.specular) = *c;
   } else if (what == position) {
     const auto v = call.numbers(2, 4, true);
+    light.position_left_out = !v;
     if (!v) return;
     light.position = {(*v)[0], (*v)[1], (*v)[2], (*v)[3]};
     light.position_matrix = s.modelview, light.position_line = call.line;

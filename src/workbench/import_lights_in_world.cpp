@@ -110,7 +110,7 @@ class LightPlacer {
   void set_position(Light& out, const GlLightState& l, std::size_t i) {
     if (l.position_line == 0) {
       out.position = short_numbers(glm::dvec3(glm::inverse(product(view_)) * l.position));
-      if (l.enabled)
+      if (l.enabled && !l.position_left_out)
         complain(l.line, i, {"{0} has no position: it shines along the view", "{0} の位置がない：視線の方向に照らす"});
       return;
     }

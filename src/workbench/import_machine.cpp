@@ -35,7 +35,10 @@ struct MeshSigns {
   void look(const CExpression& e) {
     if (e.kind == CExpression::call) {
       const std::string_view f = e.operands[0].name;
-      draws = draws || f == "glBegin" || f.starts_with("glDraw") || f == "glCallList";
+      // Axes and grids are lines: no mesh.
+      const std::string_view kind = e.operands.size() > 1 ? e.operands[1].name : std::string_view();
+      const bool lines = kind.starts_with("GL_LINE") || kind.starts_with("GL_POINT");
+      draws = draws || (f == "glBegin" && !lines) || f.starts_with("glDraw") || f == "glCallList";
       for (const std::string_view stem : {"glLight", "glMaterial", "glTranslate", "glRotate", "glScale", "glPushMatrix",
                                           "glLoad", "glMult", "glu", "glEnable", "glDisable", "glClear", "glFog"})
         sets = sets || f.starts_with(stem);
@@ -169,6 +172,8 @@ bool GlMachine::only_reads(std::string_view f) const {
 CValue GlMachine::call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) {
   GlCallReader call(run, function, arguments, line);
   state.any_call = state.any_call || function.starts_with("gl");
+  if (function == "glNewList" || function == "glEndList") state.in_list = function == "glNewList";
+  if (state.in_list) return run.memory.unknown({"this is in a display list", "ディスプレイリストの中にある"});
   for (const auto read : {read_light_call, read_material_call, read_state_call, read_matrix_call, read_projection_call,
                           read_draw_call, read_glut_call})
     if (read(state, call))
@@ -186,6 +191,7 @@ CValue GlMachine::call(CRun& run, std::string_view function, const std::vector<C
 
 // A routine that only gives vertices is a mesh of the program's own: it is not followed.
 bool GlMachine::plays(CRun& run, const CRoutine& routine, const std::vector<CValue>& arguments, long line) {
+  if (state.in_list) return true;
   GlCallReader call(run, routine.name, arguments, line);
   if (state.own.used && play_own_matrices(state, call)) return true;
   const auto [at, added] = meshes_.try_emplace(&routine, false);

@@ -16,6 +16,7 @@ namespace cg {
 struct GlLightState {
   bool touched = false, enabled = false, disabled = false;  // disabled: by a call
   bool coned = false, fading = false;                       // a cone, an attenuation was set
+  bool position_left_out = false;
   glm::dvec3 ambient{0}, diffuse{0}, specular{0};
   glm::dvec4 position{0, 0, 1, 0};
   MatrixCalls position_matrix;
@@ -67,6 +68,7 @@ struct GlState {
   int width = 300, height = 300;
   std::map<std::string_view, std::string_view> callbacks;  // "glutDisplayFunc": the program's function
   bool main_loop = false;
+  bool in_list = false;  // between glNewList and glEndList
   // Of an exported program: the matrix that it multiplies itself, and the one that it keeps as its view.
   struct {
     bool used = false;

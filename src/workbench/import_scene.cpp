@@ -250,10 +250,22 @@ class Converter {
       try {
         assign(before[i], slot_tree(now[i]));
       } catch (const InputError& e) {
-        complaints_.add(0, {e.message(Language::english), e.message(Language::japanese)});
+        complain(line_of(now[i].path), {"{0}: left out", "{0}。読み込まない"},
+                 {{e.message(Language::english), e.message(Language::japanese)}});
         reset(now[i]);
       }
     }
+  }
+
+  // Where the parameter was given, roughly; 0: not known.
+  long line_of(std::string_view path) const {
+    if (path == "camera.fov" || path == "camera.height" || path == "camera.near" || path == "camera.far")
+      return s_.lens.line;
+    for (std::size_t i = 0; i < s_.lights.size(); ++i)
+      if (path.starts_with("lights." + std::to_string(i) + ".")) return s_.lights[i].line;
+    for (std::size_t i = 0; i < s_.drawn.size(); ++i)
+      if (path.starts_with("objects." + std::to_string(i) + ".")) return s_.drawn[i].line;
+    return path.starts_with("camera.") && !view_.empty() ? view_.back().line : 0;
   }
 
   const GlState& s_;
