@@ -12,6 +12,14 @@ namespace {
 
 constexpr std::size_t most_steps = 100, most_items = 200;
 
+// The beginning of a text for a message, whole characters of it.
+std::string excerpt(const std::string& text, std::size_t most = 40) {
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+
 // Where in a document something stands: the keys that lead there. JSON as a Tree has no lines, so an error looks for
 // the keys in the text, one behind the other.
 class Place {
@@ -27,7 +35,8 @@ class Place {
   }
   [[noreturn]] void refuse(Text found, Text accepted) const {
     const long line = 1 + std::count(text_.begin(), text_.begin() + std::ptrdiff_t(at_), '\n');
-    throw InputError(file_, {path_ + ": " + found.en, path_ + "：" + found.ja}, std::move(accepted), line);
+    throw InputError(file_, {excerpt(path_, 120) + ": " + found.en, excerpt(path_, 120) + "：" + found.ja},
+                     std::move(accepted), line);
   }
   // Runs what may throw an InputError about a key, and adds the place.
   template <class Act>
@@ -58,7 +67,7 @@ const Tree::List& list_of(const Tree& tree, const Place& place) {
 }
 std::string text_in(const Tree& tree, const Place& place) {
   if (tree.string()) return *tree.string();
-  place.refuse({to_json(tree, 0).substr(0, 40) + " is no text", to_json(tree, 0).substr(0, 40) + " は文字列でない"},
+  place.refuse({excerpt(to_json(tree, 0)) + " is no text", excerpt(to_json(tree, 0)) + " は文字列でない"},
                {"write it in quotes", "引用符で囲む"});
 }
 // An expression may be written as a number.
@@ -124,7 +133,7 @@ int whole_in(const Tree& tree, int least, int most, const Place& place) {
   const double* v = tree.number();
   if (v && *v >= least && *v <= most) return int(*v);
   const std::string low = std::to_string(least), high = std::to_string(most);
-  place.refuse({to_json(tree, 0).substr(0, 40) + " is not possible", to_json(tree, 0).substr(0, 40) + " は使えない"},
+  place.refuse({excerpt(to_json(tree, 0)) + " is not possible", excerpt(to_json(tree, 0)) + " は使えない"},
                {"give " + low + " to " + high, low + " から " + high + " を書く"});
 }
 

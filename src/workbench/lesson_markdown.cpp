@@ -68,6 +68,7 @@ class Builder {
     if (type == MD_BLOCK_DOC) return;
     TextBlock block = std::move(stack_.back());
     stack_.pop_back();
+    if (block.line == 0) block.line = line_;  // it has no text: behind the last that was seen
     TextBlock& outer = stack_.back();
     const auto append = [&](std::vector<TextBlock> blocks) {
       for (TextBlock& b : blocks) outer.inner.push_back(std::move(b));

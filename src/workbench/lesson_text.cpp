@@ -11,6 +11,7 @@ namespace cg {
 namespace {
 
 constexpr std::size_t largest_text = std::size_t(1) << 20;
+constexpr std::size_t longest_name = 40, longest_path = 100;  // bytes
 constexpr std::string_view name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
 constexpr std::string_view id_letters = "abcdefghijklmnopqrstuvwxyz0123456789-_";
 
@@ -55,7 +56,8 @@ void walk_numbers(std::string_view text, Plain&& plain, Name&& name, Unclosed&& 
     text.remove_prefix(open + 2);
     const std::size_t close = text.find("}}");
     const std::string_view inner = text.substr(0, close);
-    if (close == text.npos || inner.empty() || inner.find_first_not_of(name_letters) != inner.npos)
+    if (close == text.npos || inner.empty() || inner.size() > longest_path ||
+        inner.find_first_not_of(name_letters) != inner.npos)
       return unclosed(inner);
     name(inner);
     text.remove_prefix(close + 2);
@@ -73,15 +75,21 @@ void each_run(std::vector<TextBlock>& blocks, Each&& each) {
   }
 }
 
+// The beginning of a text, whole characters of it.
+std::string excerpt(std::string_view text) {
+  std::size_t end = std::min<std::size_t>(text.size(), 20);
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return std::string(text.substr(0, end));
+}
+
 void check_runs(std::vector<TextBlock>& blocks, const std::string& where) {
   each_run(blocks, [&](const TextRun& run, long line) {
     walk_numbers(
         run.text, [](std::string_view) {}, [](std::string_view) {},
         [&](std::string_view inner) {
-          throw InputError(where,
-                           {"{{" + std::string(inner.substr(0, 20)) + " is no number's name",
-                            "{{" + std::string(inner.substr(0, 20)) + " は数の名前でない"},
-                           {"write {{name}}", "{{name}} のように書く"}, line);
+          throw InputError(
+              where, {"{{" + excerpt(inner) + " is no number's name", "{{" + excerpt(inner) + " は数の名前でない"},
+              {"write {{name}}", "{{name}} のように書く"}, line);
         });
     if (run.kind == TextRun::formula &&
         std::count(run.text.begin(), run.text.end(), '{') != std::count(run.text.begin(), run.text.end(), '}'))
@@ -90,15 +98,20 @@ void check_runs(std::vector<TextBlock>& blocks, const std::string& where) {
   });
 }
 
+bool is_id(const std::string& id) {
+  return !id.empty() && id.size() <= longest_name && id.find_first_not_of(id_letters) == id.npos;
+}
+
 // Tasks carry their id at the end of their text.
 void name_tasks(std::vector<TextBlock>& blocks, const std::string& where) {
   for (TextBlock& block : blocks) {
     if (block.kind != TextBlock::task) continue;
     block.id = take_id(block.runs);
     block.number = 0;
-    if (block.id.empty())
+    if (!is_id(block.id))
       throw InputError(where, {"the task has no name", "課題に名前がない"},
-                       {"end it in {#name}", "終わりに {#name} と書く"}, block.line);
+                       {"end it in {#name}, in small letters and not too long", "終わりに短い小文字で {#name} と書く"},
+                       block.line);
   }
 }
 
@@ -122,9 +135,11 @@ TextSection start_section(TextBlock& heading, const LessonText& text, const std:
         {"begin with # Title; each step has ## Title {#id}", "先頭に「# 題」、各ステップに「## 題 {#id}」と書く"},
         heading.line);
   if (first) return section;
-  if (section.id.empty() || section.id.find_first_not_of(id_letters) != section.id.npos)
-    throw InputError(where, {"the step has no id", "ステップに id がない"},
-                     {"write ## Title {#id} in small letters", "「## 題 {#id}」のように小文字で書く"}, heading.line);
+  if (!is_id(section.id))
+    throw InputError(
+        where, {"the step has no id", "ステップに id がない"},
+        {"write ## Title {#id}, in small letters and not too long", "「## 題 {#id}」のように短い小文字で書く"},
+        heading.line);
   for (const TextSection& other : text.sections)
     if (other.id == section.id)
       throw InputError(where, {"the id " + section.id + " is used twice", "id「" + section.id + "」が二度使われている"},
