@@ -63,6 +63,10 @@ void take_text(Lesson& lesson, Language language, LessonText text, const std::st
         where,
         {"lesson.json has no step " + text.sections[1].id, "lesson.json にステップ " + text.sections[1].id + " がない"},
         {"add it there", "書き加える"}, text.sections[1].line);
+  if (const auto names = numbers_in(text.sections[0].blocks); !names.empty())
+    throw InputError(
+        where, {"{{" + names[0] + "}} before the first step", "最初のステップより前に {{" + names[0] + "}} がある"},
+        {"numbers belong to steps", "数はステップの中に書く"}, text.sections[0].line);
   lesson.text[index] = std::move(text.sections[0]);
 }
 

@@ -130,6 +130,13 @@ double lit_vertices(const MeasureInput& in) {
   return count;
 }
 
+double triangles(const MeasureInput& in) {
+  double count = 0;
+  for (const Object& object : in.scene.objects)
+    if (object.visible && object.mesh) count += double(object.mesh->triangles().size());
+  return count;
+}
+
 constexpr std::array table{
     Measurement{"n-dot-l",
                 {"N·L at a pixel", "画素の N·L"},
@@ -177,6 +184,7 @@ constexpr std::array table{
                 {"object, vertex; space (world or eye), component", "object、vertex、space（world か eye）、component"},
                 vertex_normal},
     Measurement{"lit-vertices", {"Vertices that are lit", "光を計算する頂点の数"}, "1", {"—", "—"}, lit_vertices},
+    Measurement{"triangles", {"Triangles that are drawn", "描く三角形の数"}, "1", {"—", "—"}, triangles},
     Measurement{"vertex-light",
                 {"Light computed at a vertex", "頂点で計算した光"},
                 "1",
