@@ -118,6 +118,8 @@ void CommandParser::add_lessons() {
   add_flag(app, "--check", arguments.check,
            {"Compute every number and task; exit with 1 where one is off",
             "数と課題をすべて計算し、合わなければ終了状態を 1 にする"});
+  add(app, "--report", arguments.report, "DIR",
+      {"Write the texts with all numbers filled in", "数をすべて埋めた本文を書き出す"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 

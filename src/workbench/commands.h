@@ -18,6 +18,7 @@ struct Arguments {
   std::string output, format;
   std::string target, pass;  // of a grade
   bool json = false;
+  std::string report;  // a folder
   bool check = false;
 };
 

@@ -24,8 +24,8 @@ struct LessonFinding {
 std::vector<LessonFinding> check_lesson(const std::filesystem::path& folder, std::span<const Technique> techniques,
                                         Progress& progress);
 
-// `lessons`: lists them, or with --check prints a line for each finding; 1 where one does not hold. SCENE is a lesson's
-// name or folder; none: all that come with the program.
+// `lessons`: lists them; with --check prints a line for each finding, 1 where one does not hold; with --report writes
+// the texts. SCENE is a lesson's name or folder; none: all that come with the program.
 int run_lessons(const Arguments& arguments, std::span<const Technique> techniques, Language language);
 
 }  // namespace cg

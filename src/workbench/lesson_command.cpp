@@ -6,6 +6,7 @@
 #include "workbench/command_parts.h"
 #include "workbench/data_folder.h"
 #include "workbench/lesson_check.h"
+#include "workbench/lesson_report.h"
 #include "workbench/progress_line.h"
 
 namespace cg {
@@ -51,7 +52,7 @@ Tree json_of(const std::vector<LessonFinding>& findings) {
 }
 
 std::string line_of(const LessonFinding& f, Language language) {
-  std::string out = f.holds ? "ok   " : "OFF  ";
+  std::string out = !f.holds ? "OFF  " : f.expected ? "ok   " : "     ";  // some numbers are only shown
   out += f.lesson + (f.step.empty() ? "" : ":" + f.step) + "  " + f.name;
   if (f.value) out += "  " + number_text(*f.value);
   if (f.expected) out += "  = " + number_text(*f.expected);
@@ -70,11 +71,19 @@ int list(const std::vector<fs::path>& folders, Language language) {
   return 0;
 }
 
+void write_reports(const std::vector<fs::path>& folders, const fs::path& into, std::span<const Technique> techniques) {
+  for (const fs::path& folder : folders) {
+    Progress progress;
+    write_lesson_report(folder, into, techniques, progress);
+  }
+}
+
 }  // namespace
 
 int run_lessons(const Arguments& a, std::span<const Technique> techniques, Language language) {
   const std::vector<fs::path> folders = named_folders(a.scene);
-  if (!a.check) return list(folders, language);
+  if (!a.report.empty()) write_reports(folders, a.report, techniques);
+  if (!a.check) return a.report.empty() ? list(folders, language) : 0;
   std::vector<LessonFinding> all;
   for (const fs::path& folder : folders) {
     Progress progress;
@@ -82,14 +91,15 @@ int run_lessons(const Arguments& a, std::span<const Technique> techniques, Langu
     const std::vector<LessonFinding> findings = check_lesson(folder, techniques, progress);
     all.insert(all.end(), findings.begin(), findings.end());
   }
-  std::size_t off = 0;
-  for (const LessonFinding& f : all) off += !f.holds;
+  std::size_t off = 0, expected = 0;
+  for (const LessonFinding& f : all) off += !f.holds, expected += f.expected.has_value();
   if (a.json) {
     print(to_json(json_of(all)) + "\n");
   } else {
     for (const LessonFinding& f : all) print(line_of(f, language));
-    const std::string n = std::to_string(all.size()), wrong = std::to_string(off);
-    const Text sum{n + " checked, " + wrong + " off", n + " 件を検査、不一致 " + wrong + " 件"};
+    const std::string n = std::to_string(all.size()), compared = std::to_string(expected), wrong = std::to_string(off);
+    const Text sum{n + " computed, " + compared + " compared with what is expected, " + wrong + " off",
+                   n + " 件を計算、うち " + compared + " 件を期待値と比較、不一致 " + wrong + " 件"};
     print(sum.in(language) + "\n");
   }
   return off == 0 ? 0 : 1;

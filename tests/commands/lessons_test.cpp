@@ -28,6 +28,18 @@ TEST(LessonsCommand, ListsAndNamesMistakes) {
   EXPECT_NE(none.err.find("01-light-model"), std::string::npos);
 }
 
+TEST(LessonsCommand, WritesTheTextsWithTheirNumbers) {
+  const TemporaryFolder folder;
+  const Outcome report = run_program(SHADEBENCH_PROGRAM, folder, {"lessons", "03-shading", "--report", "new/texts"});
+  EXPECT_EQ(report.status, 0) << report.err;
+  for (const char* file : {"new/texts/03-shading.en.md", "new/texts/03-shading.ja.md"}) {
+    const std::string text = read_file(folder / file);
+    EXPECT_EQ(text.find("{{"), std::string::npos);
+    EXPECT_EQ(text.find("…"), std::string::npos);
+    EXPECT_NE(text.find("0.9342"), std::string::npos);  // |p| of the middle face, (1 + √5)/(2√3)
+  }
+}
+
 // A lesson of a lecturer's own, with a number that is wrong.
 TEST(LessonsCommand, AWrongNumberIsStatusOne) {
   const TemporaryFolder folder;
