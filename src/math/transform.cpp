@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/look_at_taken.h"
+
 namespace cg {
 
 glm::dmat4 translation(const glm::dvec3& t) {
@@ -27,23 +29,43 @@ glm::dmat4 rotation(double angle, const glm::dvec3& axis) {
   return m;
 }
 
-glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
+namespace {
+
+struct ViewAxes {
+  glm::dvec3 forward, side;  // unit
+};
+
+// The axis least parallel to a view along `forward`.
+glm::dvec3 other_up(const glm::dvec3& forward) {
+  const glm::dvec3 a = glm::abs(forward);
+  return a.y <= a.x && a.y <= a.z ? glm::dvec3(0, 1, 0) : a.z <= a.x ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+}
+
+bool is_parallel(const glm::dvec3& side) { return glm::dot(side, side) < 1e-16; }
+
+ViewAxes axes_of(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
   glm::dvec3 forward = unit(target - eye);
   if (forward == glm::dvec3(0)) forward = {0, 0, -1};
   glm::dvec3 side = glm::cross(forward, unit(up));
-  if (glm::dot(side, side) < 1e-16) {  // up is parallel to the view: take the axis least parallel to it
-    const glm::dvec3 a = glm::abs(forward);
-    const glm::dvec3 other = a.y <= a.x && a.y <= a.z ? glm::dvec3(0, 1, 0)
-                             : a.z <= a.x             ? glm::dvec3(0, 0, 1)
-                                                      : glm::dvec3(1, 0, 0);
-    side = glm::cross(forward, other);
-  }
-  side = unit(side);
+  if (is_parallel(side)) side = glm::cross(forward, other_up(forward));
+  return {forward, unit(side)};
+}
+
+}  // namespace
+
+glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
+  const auto [forward, side] = axes_of(eye, target, up);
   const glm::dvec3 above = glm::cross(side, forward);
   glm::dmat4 m(1);
   for (int i = 0; i < 3; ++i) m[i] = {side[i], above[i], -forward[i], 0};
   m[3] = {-glm::dot(side, eye), -glm::dot(above, eye), glm::dot(forward, eye), 1};
   return m;
+}
+
+LookAt look_at_taken(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
+  const glm::dvec3 forward = axes_of(eye, target, up).forward;
+  const bool no_view = unit(target - eye) == glm::dvec3(0), no_up = is_parallel(glm::cross(forward, unit(up)));
+  return {no_view ? eye + forward : target, no_up ? other_up(forward) : up};
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "shading/gl_calls.h"
 
+#include "math/look_at_taken.h"
 #include "shading/gl_call_list.h"
 
 namespace cg {
@@ -94,8 +95,14 @@ void add_projection(const Camera& c, GlCallList& list) {
 void add_look_at(const Camera& c, GlCallList& list) {
   list.section = GlSection::view;
   GlCall& look_at = list.add("gluLookAt", {});
+  const auto [target, up] = look_at_taken(c.position, c.target, c.up);
+  if (target != c.target)
+    look_at.notes.push_back(
+        Words{"an eye at its target looks nowhere: along -z", "視点が注視点と同じなので -z を向く"});
+  if (up != c.up)
+    look_at.notes.push_back(Words{"up along the view is none: another axis", "上方向が視線と平行なので別の軸にする"});
   for (const auto& [path, v] :
-       {std::pair("camera.position", c.position), std::pair("camera.target", c.target), std::pair("camera.up", c.up)})
+       {std::pair("camera.position", c.position), std::pair("camera.target", target), std::pair("camera.up", up)})
     for (const GlNumber& number : vector_numbers(path, v)) look_at.numbers.push_back(number);
 }
 

@@ -19,8 +19,8 @@ bool ends_in(const fs::path& file, std::string_view extension) {
 }
 
 void require_extension(const fs::path& file, const std::string& extension) {
-  if (ends_in(file, extension) && !file.stem().empty()) return;
-  const std::string example = (file.stem().empty() ? "scene" : file.stem().string()) + extension;
+  if (ends_in(file, extension)) return;
+  const std::string example = file.stem().string() + extension;
   throw InputError(file.string(),
                    {"this export is a file that ends in " + extension,
                     "この書き出しのファイル名は " + extension + " で終わる必要がある"},

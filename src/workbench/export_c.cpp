@@ -37,17 +37,20 @@ std::vector<std::pair<int, std::string>> places(const CParts& parts, Language la
 
 // How a program calls the functions, as a comment.
 std::string usage(const CParts& parts, const std::vector<std::pair<int, std::string>>& places, Language language) {
-  const auto say = [&](Words words) { return std::string(words.in(language)); };
-  std::string out = "/* " + say({"Exported by Shadebench. In your display():", "Shadebench から。display() の中で："}) +
-                    "\n *\n *     glClear( GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT );\n"
-                    " *     set_camera( (double) width / height );\n";
+  const auto say = [&](const Text& text) { return text.in(language); };
+  std::string out =
+      "/* " +
+      say({"Exported by Shadebench. In your display():", "Shadebench が書き出した関数。display() の中での使い方："}) +
+      "\n *\n *     glClear( GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT );\n"
+      " *     set_camera( (double) width / height );\n";
   if (!parts.lights_come_first()) out += " *     set_lights();\n";
   for (const int object : parts.drawn()) {
+    const std::string n = std::to_string(object);
     bool placed = false;
     for (const auto& place : places) placed = placed || place.first == object;
     if (placed) out += " *     glPushMatrix();\n *     " + place_function(object) + "();\n";
-    out += " *     " + parts.material_function(object) + "();\n *     ... " + say({"draw mesh ", "描く：mesh"}) +
-           std::to_string(object) + "\n";
+    out += " *     " + parts.material_function(object) + "();\n *     ... " +
+           say({"draw mesh" + n, "mesh" + n + " を描く"}) + "\n";
     if (placed) out += " *     glPopMatrix();\n";
   }
   return out + " *     glutSwapBuffers();\n */\n";

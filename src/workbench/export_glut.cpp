@@ -37,8 +37,8 @@ class GlutProgram {
   }
 
  private:
-  std::string say(Words words) const { return std::string(words.in(language_)); }
-  std::string heading(Words words) const { return "\n/* ---- " + say(words) + " ---- */\n"; }
+  std::string say(const Text& text) const { return text.in(language_); }
+  std::string heading(const Text& text) const { return "\n/* ---- " + say(text) + " ---- */\n"; }
 
   // The text with each {{English|Japanese}} in the language.
   std::string in_language(std::string_view text) const {
@@ -48,26 +48,27 @@ class GlutProgram {
                         close = text.find("}}", open);
       out += text.substr(at, open - at);
       if (open == text.size()) break;
-      out += say({text.substr(open + 2, bar - open - 2), text.substr(bar + 1, close - bar - 1)});
+      out += say(Words{text.substr(open + 2, bar - open - 2), text.substr(bar + 1, close - bar - 1)});
       at = close + 2;
     }
     return out;
   }
 
   std::string head() const {
-    const std::string stem = obj_name_.substr(0, obj_name_.rfind('.')), word = in_comment(as_word(stem));
-    return "/* " + in_comment(stem) + ".c: " + say({"exported by Shadebench", "Shadebench から"}) + "\n" +  //
-           " *\n * Makefile:\n" +                                                                           //
-           " *   " + word + ": " + word + ".c\n" +                                                          //
-           " *   \tcc -o " + word + " " + word + ".c -lglut -lGLU -lGL -lm\n *\n" + " * " +
-           say({"It needs freeglut (Debian, Ubuntu: sudo apt install freeglut3-dev) and, in its own folder, ",
-                "freeglut（Debian、Ubuntu では sudo apt install freeglut3-dev）と、同じフォルダーの "}) +
-           in_comment(obj_name_) + say({".", " が必要。"}) + "\n *\n" +
-           in_language(
-               " * {{Drag: turn the view. Wheel: nearer, farther. a: the lights turn. m: the model turns.|"
-               "ドラッグで視点を回す。ホイールで近づく・離れる。a で光源、m でモデルが回る。}}\n"
-               " * {{s: save the picture as|s で画像を保存する：}} ") +
-           in_comment(stem) + ".ppm" + say({". q: end.", "。q で終わる。"}) + " */\n";
+    const std::string stem = obj_name_.substr(0, obj_name_.rfind('.')), word = in_comment(as_word(stem)),
+                      obj = in_comment(obj_name_), ppm = in_comment(stem) + ".ppm";
+    return "/* " + in_comment(stem) + ".c: " + say({"exported by Shadebench", "Shadebench が書き出したプログラム"}) +
+           "\n *\n * Makefile:\n *   " + word + ": " + word + ".c\n" +  //
+           " *   \tcc -o " + word + " " + word + ".c -lglut -lGLU -lGL -lm\n *\n * " +
+           say({"It needs freeglut (Debian, Ubuntu: sudo apt install freeglut3-dev) and " + obj + " in its own folder.",
+                "freeglut（Debian、Ubuntu では sudo apt install freeglut3-dev）と、同じフォルダの " + obj +
+                    " が必要。"}) +
+           "\n *\n * " +
+           say({"Drag: turn the view. Wheel: nearer, farther. a: the lights turn. m: the model turns.",
+                "ドラッグで視点を回す。ホイールで近づく・離れる。a で光源、m でモデルが回る。"}) +
+           "\n * " +
+           say({"s: save the picture as " + ppm + ". q: end.", "s で画像を " + ppm + " に保存する。q で終わる。"}) +
+           " */\n";
   }
 
   std::string globals() const {

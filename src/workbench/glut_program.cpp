@@ -41,7 +41,7 @@ void multiply( const double a[16], const double b[16] )
     copy( matrix, product );
 }
 
-/* matrix = matrix b, {{of which these are the columns|b の列は}} */
+/* {{matrix = matrix b, whose columns are these|matrix = matrix b。引数は b の列}} */
 void multiply_by( double ax, double ay, double az, double bx, double by, double bz, double cx, double cy, double cz,
                   double dx, double dy, double dz )
 {
