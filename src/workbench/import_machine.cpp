@@ -156,7 +156,7 @@ GlDraw begin_draw(const GlState& s, long line) {
 // ---- the machine ----
 
 std::optional<CValue> GlMachine::constant(std::string_view name) {
-  constexpr std::pair<std::string_view, double> numbers[] = {
+  const std::pair<std::string_view, double> numbers[] = {
       {"M_PI", pi}, {"M_PI_2", pi / 2}, {"M_PI_4", pi / 4}, {"M_SQRT2", std::sqrt(2.0)}, {"M_SQRT1_2", std::sqrt(0.5)}};
   for (const auto& [known, value] : numbers)
     if (known == name) return c_real(value);
