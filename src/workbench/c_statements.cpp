@@ -1,9 +1,7 @@
-// Declarations, statements and functions of a C program (ISO/IEC 9899:1990, 6.5 to 6.7). What is wrong costs the
+// Statements, functions and what they declare of a C program (ISO/IEC 9899:1990, 6.5 to 6.7). What is wrong costs the
 // statement that it stands in, not the program.
-#include <map>
-
 #include "scene/text_scanner.h"
-#include "workbench/c_expressions.h"
+#include "workbench/c_declarations.h"
 
 namespace cg {
 
@@ -64,134 +62,12 @@ class Parser {
 
   // ---- declarations ----
 
-  struct Type {
-    bool integer = false, known = true, is_static = false, is_extern = false, is_typedef = false;
-  };
-
-  // Two names, or a name and a *: the first must be a type that we do not know.
-  bool at_declaration() const {
-    if (begins_type(c_)) return true;
-    if (c_.peek().kind != CToken::name || c_.at("return") || c_.at("else") || c_.at("goto") || c_.at("case"))
-      return false;
-    std::size_t k = 1;
-    while (c_.at("*", k)) ++k;
-    if (c_.peek(k).kind != CToken::name) return false;
-    return k == 1 || c_.at(";", k + 1) || c_.at("=", k + 1) || c_.at(",", k + 1) || c_.at("[", k + 1);
-  }
-
-  Type type() {
-    Type out;
-    bool integer = false, real = false, other = false, named = false;
-    while (c_.peek().kind == CToken::name) {
-      const std::string_view word = c_.peek().spelling;
-      if (word == "struct" || word == "union" || word == "enum") {
-        compound(word == "enum");
-        (word == "enum" ? integer : other) = true, named = true;
-        continue;
-      }
-      if (!begins_type(c_) && named) break;
-      c_.take();
-      out.is_static = out.is_static || word == "static", out.is_extern = out.is_extern || word == "extern";
-      out.is_typedef = out.is_typedef || word == "typedef";
-      if (word == "const" || word == "static" || word == "extern" || word == "register" || word == "volatile" ||
-          word == "inline" || word == "auto" || word == "typedef")
-        continue;
-      named = true;
-      if (const auto known = typedefs_.find(word); known != typedefs_.end()) {
-        (known->second.integer ? integer : known->second.known ? real : other) = true;
-        continue;
-      }
-      integer = integer || is_integer_type(word), real = real || is_real_type(word);
-      other = other || !(is_integer_type(word) || is_real_type(word));
-    }
-    out.integer = integer && !real;
-    out.known = !other;
-    return out;
-  }
-
-  // struct name { ... }: its members are not kept. enum { A, B = 3 }: constants.
-  void compound(bool is_enum) {
-    c_.take();
-    if (c_.peek().kind == CToken::name) c_.take();
-    if (!c_.at("{")) return;
-    const long line = c_.take().line;
-    if (is_enum) return enumerators(line);
-    for (int level = 1; level > 0;) {
-      if (c_.at_end()) c_.fail();
-      const CToken& t = c_.take();
-      level += t.is("{") - t.is("}");
-    }
-  }
-
-  void enumerators(long line) {
-    CStatement statement{CStatement::declaration, line, {}, {}, {}};
-    std::string_view before;
-    while (!c_.at("}")) {
-      if (c_.peek().kind != CToken::name) c_.fail();
-      CDeclaration d;
-      d.line = line, d.name = c_.take().spelling, d.integer = true;
-      CExpression value;
-      value.line = line, value.integer = true;
-      if (c_.accept("=")) {
-        value = parse_assignment(c_);
-      } else if (!before.empty()) {
-        CExpression last, one = value;
-        last.kind = CExpression::variable, last.name = before, last.line = line;
-        one.value = 1;
-        value.kind = CExpression::binary, value.op = "+", value.height = 2;
-        value.operands = {std::move(last), std::move(one)};
-      }
-      before = d.name;
-      d.initial.push_back(std::move(value));
-      statement.declarations.push_back(std::move(d));
-      if (!c_.accept(",")) break;
-    }
-    c_.expect("}");
-    enums_.push_back(std::move(statement));
-  }
-
-  // * name [ n ] ..., of the type.
-  CDeclaration declarator(const Type& type) {
-    CDeclaration d;
-    d.integer = type.integer, d.known = type.known, d.is_static = type.is_static, d.is_extern = type.is_extern;
-    while (c_.at("*") || c_.at("const")) d.pointer = c_.take().is("*") || d.pointer;
-    d.line = c_.peek().line;
-    if (c_.at("(")) return function_pointer(d);
-    if (c_.peek().kind != CToken::name) c_.fail();
-    d.name = c_.take().spelling;
-    while (c_.accept("[")) {
-      CExpression none;
-      none.kind = CExpression::list;
-      d.lengths.push_back(c_.at("]") ? none : parse_assignment(c_));
-      c_.expect("]");
-    }
-    return d;
-  }
-
-  // void (*f)(int): a name without a value.
-  CDeclaration function_pointer(CDeclaration d) {
-    d.known = false;
-    for (int part = 0; part < 2 && c_.at("("); ++part) {
-      int level = 0;
-      do {
-        if (c_.at_end()) c_.fail();
-        const CToken& t = c_.take();
-        level += t.is("(") - t.is(")");
-        if (part == 0 && t.kind == CToken::name) d.name = t.spelling;
-      } while (level > 0);
-    }
-    return d;
-  }
-
-  void declarators(const Type& type, CDeclaration first, CStatement& out) {
-    for (CDeclaration d = std::move(first);; d = declarator(type)) {
+  void declarators(const CType& type, CDeclaration first, CStatement& out) {
+    for (CDeclaration d = std::move(first);; d = d_.declarator(type)) {
       if (type.is_typedef) {
-        c_.types.insert(d.name);
-        Type named = type;
-        named.known = named.known && d.lengths.empty() && !d.pointer;
-        typedefs_[d.name] = named;
+        d_.name_type(d, type);
       } else if (c_.at("(")) {
-        skip_parentheses();  // a function is announced
+        d_.skip_parentheses();  // a function is announced
         d.name = {};
       } else if (c_.accept("=")) {
         d.initial.push_back(parse_initializer(c_));
@@ -202,27 +78,17 @@ class Parser {
     end_statement();
   }
 
-  void skip_parentheses() {
-    int level = 0;
-    do {
-      if (c_.at_end()) c_.fail();
-      const CToken& t = c_.take();
-      level += t.is("(") - t.is(")");
-    } while (level > 0);
-  }
-
   CStatement declaration() {
     CStatement out{CStatement::declaration, c_.peek().line, {}, {}, {}};
-    const Type t = type();
+    const CType t = d_.type();
     if (c_.accept(";")) return out;
-    declarators(t, declarator(t), out);
+    declarators(t, d_.declarator(t), out);
     return out;
   }
 
   // Enumerations go before the statement in which they were written.
   void put(std::vector<CStatement>& list, CStatement statement) {
-    for (CStatement& e : enums_) list.push_back(std::move(e));
-    enums_.clear();
+    for (CStatement& e : d_.enumerations()) list.push_back(std::move(e));
     if (++items_ > most_items) throw CSyntaxError{statement.line, {"the program is too long", "プログラムが長すぎる"}};
     list.push_back(std::move(statement));
   }
@@ -236,10 +102,10 @@ class Parser {
     if (c_.at("using")) return skip_line();
     const bool bare =
         c_.peek().kind == CToken::name && c_.at("(", 1) && !at_keyword() && body_follows();  // main() { ... }
-    if (!bare && !at_declaration()) return put(program_.top, statement());
-    const Type t = bare ? Type{true, true, false, false, false} : type();
+    if (!bare && !d_.at_declaration()) return put(program_.top, statement());
+    const CType t = bare ? CType{true, true, false, false, false} : d_.type();
     if (c_.accept(";")) return put(program_.top, {});
-    CDeclaration first = declarator(t);
+    CDeclaration first = d_.declarator(t);
     if (c_.at("(") && body_follows(0)) return function(first);
     CStatement out{CStatement::declaration, first.line, {}, {}, {}};
     declarators(t, std::move(first), out);
@@ -271,11 +137,11 @@ class Parser {
       if (c_.at("void") && c_.at(")", 1)) {
         c_.take();
       } else {
-        const Type t = type();
+        const CType t = d_.type();
         if (c_.at(",") || c_.at(")")) {
           f.parameters.push_back({});
         } else {
-          f.parameters.push_back(declarator(t));
+          f.parameters.push_back(d_.declarator(t));
           f.parameters.back().is_parameter = true;
         }
       }
@@ -319,7 +185,7 @@ class Parser {
     }
     if (c_.at("case") || (c_.at("default") && c_.at(":", 1))) return label();
     if (simple(out)) return out;
-    if (at_declaration()) return declaration();
+    if (d_.at_declaration()) return declaration();
     out.kind = CStatement::expression;
     out.expressions.push_back(parse_expression(c_));
     end_statement();
@@ -372,7 +238,7 @@ class Parser {
     none.kind = CExpression::list, none.line = out.line;
     out.expressions.assign(3, none);
     c_.expect("(");
-    if (at_declaration()) {
+    if (d_.at_declaration()) {
       first = declaration();
     } else {
       if (!c_.at(";")) out.expressions[0] = parse_expression(c_);
@@ -409,10 +275,9 @@ class Parser {
   }
 
   CCursor c_;
+  CDeclarations d_{c_};
   Complaints& complaints_;
   CProgram program_;
-  std::map<std::string_view, Type> typedefs_;
-  std::vector<CStatement> enums_;
   std::size_t items_ = 0;
 };
 
