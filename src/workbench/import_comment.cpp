@@ -17,7 +17,7 @@ constexpr std::string_view becomes = " -> ";
 // JSON that may stand in a comment: no slash can begin or end one.
 std::string in_comment(const Tree& value) {
   std::string out;
-  for (const char c : to_json(value, 0)) out += c == '/' ? std::string("\\/") : std::string(1, c);
+  for (const char c : to_json(value, 0)) out += c == '/' ? "\\/" : c == '*' ? "\\u002a" : std::string(1, c);
   return out;
 }
 

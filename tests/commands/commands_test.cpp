@@ -207,5 +207,26 @@ TEST_F(CommandTest, ProbeSaysWhatAPixelIsMadeOf) {
     EXPECT_NE(mistake({"probe", "teapot", "--size", "64x48", "--pixel", pixel}).find("63,47"), std::string::npos);
 }
 
+TEST_F(CommandTest, ExportWritesEachFormat) {
+  EXPECT_EQ(run({"export", "teapot", "--as", "glut", "-o", "a b.c", "--set", "material.n=300"}).err, "");
+  EXPECT_NE(bytes("a b.c").find("int main( int argc, char *argv[] )"), std::string::npos);
+  EXPECT_NE(bytes("a b.c").find("GL_SHININESS, 128.0 );"), std::string::npos);
+  EXPECT_TRUE(bytes("a b.obj").starts_with("# Exported by Shadebench\n"));
+  for (const char* name : {"a.c", "a.obj", "a.json"}) {
+    EXPECT_EQ(run({"export", "torus", "-o", name}, {{"LC_ALL", "de_DE.UTF-8"}}).status, 0);
+    EXPECT_GT(bytes(name).size(), 20u);
+  }
+  EXPECT_EQ(run({"export", "a.json", "-o", "b.c"}).status, 0);
+  EXPECT_EQ(bytes("a.c"), bytes("b.c"));
+}
+
+TEST_F(CommandTest, ExportRefusesWhatCannotBe) {
+  EXPECT_NE(mistake({"export", "teapot", "--as", "pdf", "-o", "a.pdf"}).find("json, c, glut, obj"), std::string::npos);
+  EXPECT_NE(mistake({"export", "teapot", "-o", "a.png"}).find("json, c, glut, obj"), std::string::npos);
+  EXPECT_NE(mistake({"export", "teapot", "--as", "c"}).find("-o"), std::string::npos);
+  EXPECT_NE(mistake({"export", "teapot", "--as", "glut", "-o", "a.obj"}).find("a.c would work"), std::string::npos);
+  EXPECT_NE(mistake({"export", "teapot", "--as", "c", "-o", "no/such/a.c"}).find("no/such"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cg

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <random>
 #include <thread>
 
 #include "gl/fixed_renderer.h"
@@ -15,6 +16,7 @@
 #include "params/file.h"
 #include "params/slots.h"
 #include "tests/export/display.h"
+#include "tests/workbench/random_scene.h"
 #include "tests/workbench/temporary_folder.h"
 #include "workbench/data_folder.h"
 #include "workbench/export.h"
@@ -104,6 +106,19 @@ class GlutProgramTest : public testing::Test {
         << log();
   }
 
+  // Both exports in both languages, by both compilers.
+  void compiles_silently(const Scene& scene) {
+    for (const Language language : {Language::english, Language::japanese}) {
+      save_file(folder / "part.c", export_c(scene, language));
+      save_file(folder / "whole.c", export_glut(scene, obj_name, language));
+      for (const std::string compiler : {"cc", "clang-14"}) {
+        if (!is_installed(compiler)) continue;
+        ASSERT_EQ(shell(compiler + " -std=c89 -Wall -Wextra -pedantic -Werror -fsyntax-only part.c whole.c"), 0)
+            << log();
+      }
+    }
+  }
+
   // The window's picture as the program saves it when `s` is pressed.
   Picture run(const XServer& display) {
     const fs::path saved = folder / "program.ppm";
@@ -138,7 +153,27 @@ class GlutProgramTest : public testing::Test {
   }
 
   const TemporaryFolder folder;
+  std::string obj_name = "scene.obj";
 };
+
+TEST_F(GlutProgramTest, ExportsCompileSilently) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = random_scene(random);
+    load_meshes(scene);
+    compiles_silently(scene);
+    if (HasFatalFailure()) return;
+  }
+  // Names that would end a comment or a string.
+  Scene scene = open_scene("cornell-box.obj");
+  for (const char* name : {"a*/b", "/*", "\"\\", "\n#error", "?\?/", "名 前", "%s%n"}) {
+    SCOPED_TRACE(name);
+    obj_name = std::string(name) + ".obj";
+    for (Object& object : scene.objects) object.name = name;
+    compiles_silently(scene);
+  }
+}
 
 TEST_F(GlutProgramTest, DrawsEveryBundledModelAsGlFixed) {
   const XServer display(folder.path());
