@@ -135,15 +135,6 @@ bool lights_as_listed(const Scene& scene, const EyeLighting<double>& lighting, c
                      [&](const EyeLight<double>& light) { return light_as_listed(scene, light, reach); });
 }
 
-Scene with_mistaken_lights(Scene scene) {
-  if (scene.mistakes.directional_w)
-    for (Light& light : scene.lights) light.w = 0;
-  // Eye coordinates are those of a camera that was never moved.
-  if (scene.mistakes.light_before_view)
-    scene.camera.position = {0, 0, 0}, scene.camera.target = {0, 0, -1}, scene.camera.up = {0, 1, 0};
-  return scene;
-}
-
 void send_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting) {
   Four emission = four(m.emission, 1);
   bool some = false;

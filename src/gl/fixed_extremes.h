@@ -26,9 +26,6 @@ bool lights_as_listed(const Scene& scene, const EyeLighting<double>& lighting, c
 // positions by the camera's rotation, relative to the eye, so that far offsets survive float.
 void send_lights_from_eye(const Scene& scene, const EyeLighting<double>& lighting, double eye_unit);
 
-// The mistakes that move lights, as a scene with other lights or another camera, for send_lights_from_eye.
-Scene with_mistaken_lights(Scene scene);
-
 // Sends the emission once more where emission and ambient light come to NaN, with no light as its cause: clamped,
 // OpenGL would make it white, where the other techniques make it black.
 void send_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting);

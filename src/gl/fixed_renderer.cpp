@@ -7,6 +7,7 @@
 #include "gl/gl_plan.h"
 #include "params/input_error.h"
 #include "shading/clip_position.h"
+#include "shading/fixed_function_scene.h"
 
 namespace cg {
 

@@ -6,33 +6,26 @@
 #include "params/input_error.h"
 #include "raster/pixel_triangle.h"
 #include "shading/eye_normal.h"
+#include "shading/fixed_function_scene.h"
+#include "shading/gl_calls.h"
 #include "shading/light_batch.h"
 
 namespace cg {
 
 namespace {
 
-constexpr double gl_shininess_limit = 128;
-
-// The scene as the technique has it within its limits.
-Scene within_limits(Scene scene, const Technique& technique) {
-  if (technique.id != "gl-fixed") return scene;
-  scene.material.n = std::min(scene.material.n, gl_shininess_limit);
-  for (Object& object : scene.objects) object.material.n = std::min(object.material.n, gl_shininess_limit);
-  const auto lit = lighting_in_eye_space<double>(scene, view_matrix(scene.camera)).lights;
-  for (std::size_t i = std::size_t(gl_light_limit); i < lit.size(); ++i)
-    scene.lights[std::size_t(lit[i].index)].enabled = false;
-  return scene;
-}
-
 // The light model by the arithmetic of the pictures, in `Real`.
 template <class Real>
 class Lit {
  public:
-  Lit(const Scene& scene, const Material& material)
-      : lighting_(lighting_in_eye_space<Real>(scene, view_matrix(scene.camera))),
+  // `lights`: the scene and camera whose lights they are in eye space; `by_hand`: null, or the mistakes of a light
+  // model of the program's own.
+  Lit(const Scene& scene, const Scene& lights, const Material& material, const Mistakes* by_hand)
+      : lighting_(lighting_in_eye_space<Real>(lights, view_matrix(lights.camera))),
         material_(eye_material<Real>(material, scene.shading.color_material)),
-        to_world_(glm::inverse(view_matrix(scene.camera))) {}
+        to_world_(glm::inverse(view_matrix(scene.camera))),
+        lights_(lights.lights),
+        by_hand_(by_hand) {}
 
   // P and N in eye space.
   LitPoint at(const Vec3<Real>& P, const Vec3<Real>& N) const {
@@ -72,6 +65,8 @@ class Lit {
     if (term != Quantity::ambient) m.k_a = none;
     if (term != Quantity::diffuse) m.k_d = none;
     if (term != Quantity::specular) m.k_s = none;
+    const Vec3<Real> V = towards_viewer(lighting_.local_viewer, P);
+    if (light && by_hand_) return out.terms.push_back({name, term, light->index, share_by_hand(*light, m, P, N, V)});
     EightVectors<Real> Ps, Ns, I;
     for (int i = 0; i < batch_size; ++i) Ps.set(i, P), Ns.set(i, N);
     light_points(lighting, m, Ps, Ns, I);
@@ -80,7 +75,8 @@ class Lit {
 
   ProbedLight factors(const EyeLight<Real>& light, const Vec3<Real>& P, const Vec3<Real>& N,
                       const Vec3<Real>& V) const {
-    const LightFactors<Real> f = light_factors(light, lighting_.reflection, material_.n, P, N, V);
+    LightFactors<Real> f = light_factors(light, lighting_.reflection, material_.n, P, N, V);
+    if (by_hand_) f = factors_by_hand(light, P, N, V);
     ProbedLight out;
     out.light = light.index;
     out.L = world(glm::dvec3(f.L));
@@ -97,10 +93,48 @@ class Lit {
     return out;
   }
 
+  // As shading/c/own_light_model.c has it, with its mistakes; L is what the program takes for it.
+  LightFactors<Real> factors_by_hand(const EyeLight<Real>& light, const Vec3<Real>& P, const Vec3<Real>& N,
+                                     const Vec3<Real>& V) const {
+    LightFactors<Real> f = light_factors(light, lighting_.reflection, material_.n, P, N, V);
+    if (by_hand_->long_light_vector) {
+      const Light& given = lights_[std::size_t(light.index)];
+      f.L *=
+          light.directional ? Real(length_and_unit(given.position).length) : length_and_unit(light.position - P).length;
+      if (light.spot_cosine > Real(-2)) {
+        const Real c = -glm::dot(f.L, light.spot_direction);
+        f.spot = c >= light.spot_cosine ? std::pow(c, light.spot_exponent) : Real(0);
+      }
+    }
+    f.n_dot_l = positive(glm::dot(N, f.L));
+    const bool gate = by_hand_->no_gate || f.n_dot_l > Real(0);
+    f.lobe_cosine = gate ? positive(glm::dot(N, half_vector(f.L, V))) : Real(0);
+    f.lobe = gate ? std::pow(f.lobe_cosine, material_.n) : Real(0);
+    return f;
+  }
+
+  glm::dvec3 share_by_hand(const EyeLight<Real>& light, const EyeMaterial<Real>& m, const Vec3<Real>& P,
+                           const Vec3<Real>& N, const Vec3<Real>& V) const {
+    const LightFactors<Real> f = factors_by_hand(light, P, N, V);
+    return glm::dvec3(f.attenuation * f.spot *
+                      (light.ambient * m.k_a + light.diffuse * m.k_d * f.n_dot_l + light.specular * m.k_s * f.lobe));
+  }
+
   EyeLighting<Real> lighting_;
   EyeMaterial<Real> material_;
   glm::dmat4 to_world_;
+  std::vector<Light> lights_;
+  const Mistakes* by_hand_;
 };
+
+// The normals that the technique is given at the vertices, and on which side they are.
+template <class Real>
+Vec3<Real> given_normal(const Mistakes& mistakes, const NormalTransform<Real>& transform, const glm::vec3& normal) {
+  const Vec3<Real> n = mistakes.no_normals        ? Vec3<Real>(Real(0), Real(0), Real(1))
+                       : mistakes.flipped_normals ? -Vec3<Real>(normal)
+                                                  : Vec3<Real>(normal);
+  return eye_normal(transform, n);
+}
 
 // The terms of the vertices, interpolated, and what clamping at the vertices left of them.
 void interpolate_vertices(Probe& p, const glm::dvec3& weights) {
@@ -115,17 +149,20 @@ void interpolate_vertices(Probe& p, const glm::dvec3& weights) {
 template <class Real>
 void light(const Scene& scene, const PixelTriangle& seen, Probe& p) {
   const Object& object = scene.objects[std::size_t(p.object)];
-  const Lit<Real> lit(scene, material_of(scene, object));
+  const Mistakes& mistakes = scene.mistakes;  // of the technique: none but for the fixed function
+  const bool by_hand = lights_by_hand(mistakes);
+  const Lit<Real> lit(scene, with_mistaken_lights(scene), material_of(scene, object), by_hand ? &mistakes : nullptr);
   const auto normals =
       normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
   const Surface& surface = *seen.object.surface;
-  const Real side = scene.shading.two_sided && !p.front ? Real(-1) : Real(1);
+  const bool back = p.front == mistakes.swapped_front_face;
+  const Real side = scene.shading.two_sided && back && !by_hand ? Real(-1) : Real(1);
   const Mat4<Real> to_eye(seen.object.to_eye);
   Vec3<Real> P[3], N[3];
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t i = surface.indices[3 * std::size_t(seen.source()) + k];
     P[k] = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[i]), Real(1)));
-    N[k] = side * eye_normal(normals, Vec3<Real>(surface.normals[i]));
+    N[k] = side * given_normal(mistakes, normals, surface.normals[i]);
   }
   const Vec3<Real> w = seen.weights<Real>();
   Vec3<Real> normal = interpolate(w, N[0], N[1], N[2]);
@@ -171,7 +208,8 @@ Probe probe(const Scene& drawn, const Technique& technique, const View& view, co
     throw InputError("pixel", {at + " is outside of a picture of " + size, at + " は " + size + " の画像の外です"},
                      Words{"0,0 is the top-left corner", "左上の画素が 0,0 です"});
   }
-  const Scene scene = within_limits(drawn, technique);
+  Scene scene = technique.id == "gl-fixed" ? as_fixed_function(drawn) : drawn;
+  if (technique.id != "gl-fixed") scene.mistakes = {};
   Probe p;
   p.technique = technique.id;
   p.pixel = pixel, p.size = {frame.colour.width(), frame.colour.height()};
@@ -197,7 +235,8 @@ Probe probe(const Scene& drawn, const Technique& technique, const View& view, co
 Probe probe_with_numbers(const Scene& scene, const Technique& technique, const View& view, const Frame& frame,
                          glm::ivec2 pixel, Progress& progress) {
   Probe p = probe(scene, technique, view, frame, pixel, progress);
-  const bool agrees = p.error() <= 1.0 / 255 && (!p.covered || p.object >= 0);
+  constexpr double usual_error = 2e-4;  // OpenGL's own rounding stays far below it
+  const bool agrees = p.error() <= usual_error && (!p.covered || p.object >= 0);
   if (agrees || !frame.object.empty()) return p;
   View numbered = view;
   numbered.ids = true;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "gl/techniques.h"
+#include "params/slots.h"
 #include "raster/software.h"
 #include "workbench/isolate.h"
 #include "workbench/open.h"
@@ -165,6 +166,23 @@ TEST_P(ProbedPixels, OneTermAlone) {
       if (technique.unsupported(scene)) continue;
       expect_small(scene, technique, true, std::string(GetParam()) + ' ' + technique.id + " alone");
     }
+  }
+}
+
+// The fixed function draws what the mistakes make of the scene, and so the probe says.
+TEST_P(ProbedPixels, MistakesOfTheFixedFunction) {
+  const std::vector<Technique> all = techniques();
+  if (all[0].unavailable) GTEST_SKIP();
+  ASSERT_EQ(all[0].id, "gl-fixed");
+  Mistakes mistakes;
+  for (const Slot& slot : slots(mistakes)) {
+    bool& on = **std::get_if<bool*>(&slot.value);
+    on = true;
+    Scene scene = scene_of(GetParam());
+    scene.mistakes = mistakes;
+    on = false;
+    expect_small(scene, all[0], true, std::string(GetParam()) + ' ' + slot.path);
+    expect_small(scene, all[0], false, std::string(GetParam()) + ' ' + slot.path + " by software's visibility");
   }
 }
 
