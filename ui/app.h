@@ -66,6 +66,7 @@ struct Dialogue {
 };
 
 class Panes;
+class WorldView;
 
 struct App {
   Scene scene;  // meshes loaded; the panes draw a copy of it with `isolated` applied
@@ -89,6 +90,7 @@ struct App {
 
   // The pictures' own affairs. Made in the first frame; let go while the window's OpenGL context is still there.
   std::shared_ptr<Panes> panes;
+  std::shared_ptr<WorldView> world;  // the same of the view from outside
   // Filled by the panes.
   Figures figures;
   DrawingHandle drawings[2];  // the newest of the left and the right technique; null before the first

@@ -73,20 +73,23 @@ void draw_strip_tabs(App& app) {
   tab("listing", {"Program", "プログラム"}, true);
 }
 
+constexpr float least_equation = 540, least_code = 330;  // units
+
+bool both_below(const App& app, float width) { return width >= app.look.px(least_equation) + app.look.px(least_code); }
+
 // Below everything: the equation, and the listing beside it.
 void draw_below(App& app, ImVec2 at, ImVec2 size) {
   Look& look = app.look;
   Settings& s = app.settings;
   const ImU32 back = look.palette.panel;
   const ImVec2 padding{look.px(16), look.px(10)};
-  const float least_equation = look.px(540), least_code = look.px(330);
   if (!s.code) return area(app, "strip", at, size, back, padding, false, [&] { draw_strip(app); });
-  if (size.x < least_equation + least_code)
+  if (!both_below(app, size.x))
     return area(app, s.code_in_front ? "code" : "strip", at, size, back, padding, false, [&] {
       draw_strip_tabs(app);
       s.code_in_front ? draw_code_panel(app) : draw_strip(app);
     });
-  const float code = std::clamp(look.px(float(s.code_width)), least_code, size.x - least_equation);
+  const float code = std::clamp(look.px(float(s.code_width)), look.px(least_code), size.x - look.px(least_equation));
   area(app, "strip", at, {size.x - code, size.y}, back, padding, false, [&] { draw_strip(app); });
   area(app, "code", {at.x + size.x - code, at.y}, {code, size.y}, back, {look.px(8), look.px(10)}, false,
        [&] { draw_code_panel(app); });
@@ -103,7 +106,8 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   // The pictures keep at least half of the window.
   const float left = std::min(look.px(float(s.left_width)), size.x * 0.4f);
   const float right = s.side == Side::none ? 0 : std::min(look.px(float(s.right_width)), size.x * 0.34f);
-  const double needed = app.probing.at ? 200 : 0;  // by the numbers of a pixel
+  const bool tabs = s.code && !both_below(app, size.x);
+  const double needed = app.probing.at ? (tabs ? 238 : 200) : 0;  // by the numbers of a pixel
   const float strip = std::min(look.px(float(std::max(s.strip_height, needed))), size.y * 0.4f);
   const float middle_h = size.y - bar - strip, middle_w = size.x - left - right;
 

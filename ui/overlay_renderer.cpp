@@ -116,6 +116,19 @@ unsigned line_array(unsigned buffer) {
 
 }  // namespace
 
+LineTarget line_target(const Place& p, const std::array<float, 4>& clip) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 scale = io.DisplayFramebufferScale;
+  const float w = float(p.screen_width() * p.region.factor), h = float(p.screen_height() * p.region.factor);
+  const float x = p.low.x - float(p.region.low.x) * w, y = p.low.y - float(p.region.low.y) * h;
+  const auto up = [&](float screen_y) { return io.DisplaySize.y - screen_y; };
+  LineTarget target;
+  target.viewport = {x * scale.x, up(y + h) * scale.y, w * scale.x, h * scale.y};
+  target.clip = {int(clip[0] * scale.x), int(up(clip[3]) * scale.y), int((clip[2] - clip[0]) * scale.x),
+                 int((clip[3] - clip[1]) * scale.y)};
+  return target;
+}
+
 OverlayRenderer::~OverlayRenderer() {
   if (!program_) return;
   glDeleteProgram(program_);

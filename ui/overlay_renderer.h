@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 
+#include "ui/pane_place.h"
 #include "ui/texture.h"
 #include "workbench/overlay.h"
 
@@ -22,6 +23,9 @@ struct LineTarget {
   glm::vec4 viewport;       // x, y, width, height of the whole picture
   std::array<int, 4> clip;  // the same of what is visible of it
 };
+
+// Of the picture at `place`; `clip` is what of the screen may be drawn to: left, top, right, bottom.
+LineTarget line_target(const Place& place, const std::array<float, 4>& clip);
 
 // Needs the window's context to be current, in the destructor too.
 class OverlayRenderer {

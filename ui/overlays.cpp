@@ -103,10 +103,11 @@ void draw_help(App& app) {
   const float bottom = y;
   y = top.y + look.px(34);
   for (std::size_t i = first; i < actions().size(); ++i) line(1, actions()[i].keys, actions()[i].label.in(l));
-  constexpr std::array<std::pair<Words, Words>, 5> mouse{
+  constexpr std::array<std::pair<Words, Words>, 6> mouse{
       {{{"Click a value", "数値をクリック"}, {"Type it", "値を入力"}},
        {{"Wheel on a value", "数値でホイール"}, {"Turn it a little", "少しずつ変える"}},
        {{"Shift", "Shift"}, {"Ten times finer", "10 倍細かく動かす"}},
+       {{"Click a picture", "画像をクリック"}, {"Numbers of the pixel", "その画素の数値を出す"}},
        {{"Click a term", "項をクリック"}, {"Draw it alone", "その項だけを描く"}},
        {{"Drop a file", "ファイルをドロップ"}, {"Open it", "開く"}}}};
   y += look.px(10);

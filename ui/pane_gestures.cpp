@@ -16,14 +16,6 @@ constexpr double zoom_per_notch = 0.15, region_per_notch = 0.35;
 
 glm::dvec2 size_of(const Place& place) { return {place.width, place.height}; }
 
-// Moves the camera; planes that cut nothing off before do not afterwards.
-void move_camera(App& app, const Camera& moved, const Scene& shapes) {
-  const Sphere sphere = bounding_sphere(shapes, false);
-  Camera& camera = app.scene.camera;
-  const bool held = planes_hold(camera, sphere);
-  camera = held && !planes_hold(moved, sphere) ? with_planes(moved, sphere) : moved;
-}
-
 ImVec2 wipe_edge(const App& app, const Place& place) {
   return {place.low.x + float(app.settings.wipe) * (place.high.x - place.low.x), place.low.y};
 }
@@ -96,6 +88,7 @@ void ask_about(App& app, const Gesture& g, const Place& place) {
   app.probing.at = glm::dvec2(pixel.x / place.width, pixel.y / place.height);
   app.probing.side = g.side;
   app.probing.vertex = -1;
+  app.settings.code_in_front = false;  // the numbers stand with the equation
 }
 
 void turn_wheel(App& app, Region& region, const Place& place, const Scene& shapes) {
@@ -115,6 +108,13 @@ void turn_wheel(App& app, Region& region, const Place& place, const Scene& shape
 }
 
 }  // namespace
+
+void move_camera(App& app, const Camera& moved, const Scene& shapes) {
+  const Sphere sphere = bounding_sphere(shapes, false);
+  Camera& camera = app.scene.camera;
+  const bool held = planes_hold(camera, sphere);
+  camera = held && !planes_hold(moved, sphere) ? with_planes(moved, sphere) : moved;
+}
 
 void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, const Place& place, int side, bool wipe,
                 const Scene& shapes) {

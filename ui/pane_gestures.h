@@ -33,4 +33,7 @@ struct Pointing {
 void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, const Place& place, int side, bool wipe,
                 const Scene& shapes);
 
+// Moves the scene's camera; planes that cut nothing of the shapes off before do not afterwards.
+void move_camera(App& app, const Camera& moved, const Scene& shapes);
+
 }  // namespace cg

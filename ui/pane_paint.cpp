@@ -181,7 +181,7 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
     }
   if (s.axes)
     for (Lines& axis : axis_lines(1.2)) call.more.push_back(std::move(axis));
-  if (probed) add_probe_lines(app, *probed, camera, call.more);
+  if (probed) add_probe_lines(app, *probed, camera, 0.2, call.more);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();
@@ -281,7 +281,6 @@ void Panes::paint_footer(App& app, int side, ImVec2 at, float width) {
   ImFont* font = app.look.fonts.small_mono;
   const float baseline = at.y + app.look.px(14);
   draw->PushClipRect({at.x, at.y}, {at.x + width, at.y + app.look.px(22)}, true);
-  set_text(draw, font, {at.x, baseline}, app.look.palette.dim, noted(app, milliseconds(pane.message ? 0 : pane.ms)));
   std::string right;
   if (pointing_.side >= 0 && !pane.message) {
     const std::string value = pixel_value(on_screen_[std::size_t(side)], pointing_.pixel);
@@ -290,11 +289,11 @@ void Panes::paint_footer(App& app, int side, ImVec2 at, float width) {
           "(" + std::to_string(int(pointing_.pixel.x)) + ", " + std::to_string(int(pointing_.pixel.y)) + ")  " + value;
   }
   if (region_.factor > 1) right += "  ×" + rounded(region_.factor, 1);
-  if (!right.empty()) {
-    noted(app, right);
-    set_text(draw, font, {at.x + width - text_width(font, right) - app.look.px(4), baseline}, app.look.palette.text,
-             right);
-  }
+  const float right_width = text_width(font, noted(app, right)) + app.look.px(4);
+  const std::string times = milliseconds(pane.message ? 0 : pane.ms);
+  if (right.empty() || text_width(font, noted(app, times)) + app.look.px(10) + right_width <= width)
+    set_text(draw, font, {at.x, baseline}, app.look.palette.dim, times);
+  set_text(draw, font, {at.x + width - right_width, baseline}, app.look.palette.text, right);
   draw->PopClipRect();
 }
 

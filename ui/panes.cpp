@@ -218,17 +218,7 @@ void Panes::draw_lines(const ImDrawList*, const ImDrawCmd* command) {
   Panes& panes = *call.panes;
   const DrawingHandle& drawing = panes.on_screen_[std::size_t(call.side)];
   if (!drawing) return;
-  const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 scale = io.DisplayFramebufferScale;
-  const Place& p = call.place;
-  const float w = float(p.screen_width() * p.region.factor), h = float(p.screen_height() * p.region.factor);
-  const float x = p.low.x - float(p.region.low.x) * w, y = p.low.y - float(p.region.low.y) * h;
-  const auto up = [&](float screen_y) { return io.DisplaySize.y - screen_y; };
-  LineTarget target;
-  target.viewport = {x * scale.x, up(y + h) * scale.y, w * scale.x, h * scale.y};
-  const auto& c = call.clip;
-  target.clip = {int(c[0] * scale.x), int(up(c[3]) * scale.y), int((c[2] - c[0]) * scale.x),
-                 int((c[3] - c[1]) * scale.y)};
+  const LineTarget target = line_target(call.place, call.clip);
   Texture& depth = panes.depths_[std::size_t(call.side)];
   if (panes.depth_of_[std::size_t(call.side)] != drawing) {
     depth.upload(drawing->frame.depth);

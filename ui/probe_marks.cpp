@@ -10,8 +10,6 @@ namespace cg {
 
 namespace {
 
-constexpr double vector_of_height = 0.2;  // of what is seen at the target
-
 void ring(ImDrawList* draw, ImVec2 at, float radius, float unit) {
   draw->AddCircle(at, radius, IM_COL32(0, 0, 0, 170), 24, 3.5f * unit);
   draw->AddCircle(at, radius, IM_COL32(255, 255, 255, 255), 24, 1.6f * unit);
@@ -45,14 +43,15 @@ int probed_light(const App& app, const LitPoint& point) {
   return point.lights.empty() ? -1 : point.lights.front().light;
 }
 
-std::vector<ProbedVector> vectors_of(const App& app, const Probe& probe, const Camera& camera) {
+std::vector<ProbedVector> vectors_of(const App& app, const Probe& probe, const Camera& camera, double length) {
   if (!probe.covered || probe.object < 0) return {};
   const LitPoint& point = shown_point(probe, app.probing.vertex);
-  return probed_vectors(point, probed_light(app, point), vector_of_height * axes_of(camera).height);
+  return probed_vectors(point, probed_light(app, point), length * axes_of(camera).height);
 }
 
-void add_probe_lines(const App& app, const Probed& probed, const Camera& camera, std::vector<Lines>& out) {
-  for (Lines& line : vector_lines(vectors_of(app, probed.probe, camera))) out.push_back(std::move(line));
+void add_probe_lines(const App& app, const Probed& probed, const Camera& camera, double length,
+                     std::vector<Lines>& out) {
+  for (Lines& line : vector_lines(vectors_of(app, probed.probe, camera, length))) out.push_back(std::move(line));
   if (Lines triangle = triangle_lines(probed.probe); !triangle.points.empty()) out.push_back(std::move(triangle));
 }
 

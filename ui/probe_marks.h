@@ -15,11 +15,12 @@ struct App;
 // The light whose factors and vectors are shown: the selected one, where it shines; -1: none does.
 int probed_light(const App& app, const LitPoint& point);
 
-// The vectors of the point whose factors are shown, as long as they look well in the camera's picture.
-std::vector<ProbedVector> vectors_of(const App& app, const Probe& probe, const Camera& camera);
+// The vectors of the point whose factors are shown, `length` of the height of what the camera sees at its target.
+std::vector<ProbedVector> vectors_of(const App& app, const Probe& probe, const Camera& camera, double length = 0.2);
 
 // Appends those vectors, and the triangle with Gouraud shading.
-void add_probe_lines(const App& app, const Probed& probed, const Camera& camera, std::vector<Lines>& out);
+void add_probe_lines(const App& app, const Probed& probed, const Camera& camera, double length,
+                     std::vector<Lines>& out);
 
 // Tips and letters of the vectors, over their lines.
 void paint_letters(App& app, const std::vector<ProbedVector>& vectors, const Projector& projector,

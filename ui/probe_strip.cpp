@@ -192,17 +192,22 @@ struct Item {
   Quantity quantity = Quantity::none;
 };
 
-// Items in lines as wide as there is room for; returns the height.
-float draw_items(App& app, const std::vector<Item>& items, ImVec2 at, float width) {
+float line_height(const App& app) { return app.look.px(19); }
+
+// Items in at most so many lines; returns the height.
+float draw_items(App& app, const std::vector<Item>& items, ImVec2 at, float width, int lines) {
+  if (lines < 1 || items.empty()) return 0;
   Look& look = app.look;
-  const float gap = look.px(6), between = look.px(18), line = look.px(19);
+  const float gap = look.px(6), between = look.px(18), line = line_height(app);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   float x = at.x, y = at.y;
-  int index = 0;
   for (const Item& item : items) {
     const float label_w = item.label.empty() ? 0 : text_width(look.fonts.small, noted(app, item.label)) + gap;
     const float w = label_w + text_width(look.fonts.small_mono, noted(app, item.value));
-    if (x > at.x && x + w > at.x + width) x = at.x, y += line;
+    if (x > at.x && x + w > at.x + width) {
+      if (--lines < 1) break;
+      x = at.x, y += line;
+    }
     const bool hovered = ImGui::IsMouseHoveringRect({x, y}, {x + w, y + line}) && ImGui::IsWindowHovered();
     if (hovered && item.quantity != Quantity::none) app.lit_next = item.quantity;
     const bool lit = item.quantity != Quantity::none && app.lit == item.quantity;
@@ -213,7 +218,6 @@ float draw_items(App& app, const std::vector<Item>& items, ImVec2 at, float widt
     set_text(draw, look.fonts.small_mono, {x + label_w, y + look.px(14)},
              item.quantity == Quantity::none ? look.palette.text : look.of(item.quantity), item.value);
     x += w + between;
-    ++index;
   }
   return y + line - at.y;
 }
@@ -226,10 +230,15 @@ std::vector<Item> result_items(const App& app, const Probe& p) {
     items.push_back({p.mode == ShadingMode::gouraud ? say({"clamped at the vertices", "頂点で制限"})
                                                     : say({"clamped to 0..1", "0..1 に制限"}),
                      triple(p.clamped)});
-  constexpr std::array<Words, 2> names{{{"in the left picture", "左の画像"}, {"in the right picture", "右の画像"}}};
+  const auto& results = app.probing.results;
+  const auto shown = [&](std::size_t side) { return triple(results[side]->probe.frame); };
+  if (results[0] && results[1] && shown(0) == shown(1)) {
+    items.push_back({say({"in both pictures", "両方の画像"}), shown(0)});
+    return items;
+  }
+  constexpr std::array<Words, 2> names{{{"left picture", "左の画像"}, {"right picture", "右の画像"}}};
   for (std::size_t side = 0; side < 2; ++side)
-    if (const auto& result = app.probing.results[side])
-      items.push_back({say(names[side]), triple(result->probe.frame)});
+    if (results[side]) items.push_back({say(names[side]), shown(side)});
   return items;
 }
 
@@ -256,10 +265,13 @@ std::vector<Item> factor_items(const App& app, const Probe& p) {
 
 }  // namespace
 
-float draw_probe_results(App& app, const Probe& p, ImVec2 at, float width) {
-  float height = draw_items(app, result_items(app, p), at, width);
-  if (p.covered && p.object >= 0) height += draw_items(app, factor_items(app, p), {at.x, at.y + height}, width);
-  return height;
+float draw_probe_results(App& app, const Probe& p, ImVec2 at, ImVec2 size) {
+  const int lines = int((size.y + app.look.px(2)) / line_height(app));
+  const bool lit = p.covered && p.object >= 0;
+  const float height = draw_items(app, result_items(app, p), at, size.x, std::max(lines - (lit ? 1 : 0), 1));
+  if (!lit) return height;
+  return height + draw_items(app, factor_items(app, p), {at.x, at.y + height}, size.x,
+                             lines - int(height / line_height(app) + 0.5f));
 }
 
 namespace {

@@ -18,9 +18,9 @@ ProbeRows number_rows(const App& app, const Probe& probe, std::size_t most_rows)
 // "Pixel (212, 148), left: OpenGL, fixed function, Gouraud".
 std::string probe_title(const App& app, const Probe& probe);
 
-// Below the rows, at most `width` wide: what clamping left and what is in the pictures; the factors of the selected
-// light. Returns the height.
-float draw_probe_results(App& app, const Probe& probe, ImVec2 at, float width);
+// Below the rows: what clamping left and what is in the pictures; the factors of the selected light. What `size` has no
+// room for is left out, the last first. Returns the height.
+float draw_probe_results(App& app, const Probe& probe, ImVec2 at, ImVec2 size);
 
 // In the line of the heading, from `left` to `right` (screen pixels): with Gouraud shading whose factors are shown, and
 // with several lights which of them is drawn alone.

@@ -42,6 +42,7 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
+  bool divided_by_w = false;   // the view from outside
   bool code = true;            // the listing, beside the equation;
   bool code_in_front = false;  // or, where there is no room for both, before it
   double left_width = 312, right_width = 320, strip_height = 200, code_width = 640;  // of the layout, units
@@ -95,6 +96,7 @@ inline constexpr auto fields_of<Settings> = std::tuple{
                                      .slider = Range{0, 0.5},
                                      .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
     field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
+    field(&Settings::divided_by_w, {.name = "divided_by_w", .label = {"After the division by w", "w で割った後"}}),
     field(&Settings::code, {.name = "code",
                             .label = {"Program", "プログラム"},
                             .help = {"Shows the scene as OpenGL calls.", "シーンを OpenGL の呼び出しとして示す。"}}),

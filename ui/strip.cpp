@@ -132,7 +132,7 @@ void draw_strip(App& app) {
   y += draw_equation(app, {at.x, y}, room.x, large, rows.wide, rows.narrow) + look.px(4);
   ImGui::SetCursorScreenPos({at.x, y + look.px(4)});
   if (probe) {
-    draw_probe_results(app, *probe, {at.x, y}, room.x);
+    draw_probe_results(app, *probe, {at.x, y}, {room.x, at.y + room.y - y});
   } else {
     draw_light_choice(app);
     if (!app.probing.at) draw_hint(app, room.x);

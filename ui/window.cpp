@@ -195,7 +195,7 @@ void open_at_start(App& app, const std::string& what) {
 // What lives on the window's OpenGL context goes before it.
 struct ContextUsers {
   App& app;
-  ~ContextUsers() { app.panes.reset(); }
+  ~ContextUsers() { app.panes.reset(), app.world.reset(); }
 };
 
 }  // namespace
