@@ -43,6 +43,8 @@ std::vector<Piece> light_model(const Scene& scene, bool with_rays) {
   return out;
 }
 
+constexpr float height_in_em = 1.3f;
+
 const About* about_of(Quantity q) {
   const About* found = nullptr;
   std::apply([&](const auto&... f) { ((found = !found && f.about.quantity == q ? &f.about : found), ...); },
@@ -163,13 +165,20 @@ void draw_row(App& app, const Setting& s, const NumberRow& row, ImVec2 at, float
 
 }  // namespace
 
+float equation_height(const App& app, bool large) {
+  const Fonts& f = app.look.fonts;
+  return height_in_em * (large ? f.formula : f.math)->FontSize;
+}
+
+float row_height(const App& app) { return app.look.px(18); }
+
 float draw_equation(App& app, ImVec2 at, float width, bool large, const std::vector<NumberRow>& rows,
                     const std::vector<NumberRow>& narrow_rows) {
   const std::optional<Isolated> peeked = std::exchange(app.peek, std::nullopt);
   Look& look = app.look;
   const Setting s = fitted(app, width, large, rows, narrow_rows);
-  const float em = s.type.base->FontSize * s.type.scale, line = look.px(18) * s.type.scale;
-  const float height = std::floor(1.55f * em), baseline = at.y + std::floor(1.08f * em);
+  const float em = s.type.base->FontSize * s.type.scale, line = row_height(app) * s.type.scale;
+  const float height = std::floor(height_in_em * em), baseline = at.y + std::floor(0.94f * em);
   float x = at.x + s.label_width;
   for (std::size_t i = 0; i < s.pieces.size(); ++i) {
     const Piece& piece = s.pieces[i];

@@ -28,4 +28,8 @@ struct NumberRow {
 float draw_equation(App& app, ImVec2 at, float width, bool large, const std::vector<NumberRow>& rows,
                     const std::vector<NumberRow>& narrow_rows);
 
+// How high the equation is without rows, and each row.
+float equation_height(const App& app, bool large);
+float row_height(const App& app);
+
 }  // namespace cg

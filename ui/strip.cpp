@@ -120,19 +120,22 @@ void draw_strip(App& app) {
   float right = at.x + text_width(look.fonts.small, title) + look.px(10);
   if (app.probing.at && close_button(app, {right, at.y})) app.probing = {}, probe = nullptr;
   right += look.px(app.probing.at ? 30 : 14);
-  const float row = look.px(18), fixed = look.px(24 + 36 + 2 * 19 + 8);
-  const ProbeRows rows =
-      probe ? number_rows(app, *probe, std::size_t(std::max((room.y - fixed) / row, 0.0f))) : ProbeRows{};
-  const bool large = !probe || room.y >= fixed + look.px(14) + row * float(rows.wide.size());
+  // Two lines of results stand below the rows; the lowest may come near the edge.
+  const float end = at.y + room.y + look.px(8), top = at.y + look.px(24), results = look.px(4 + 2 * 19);
+  const auto rows_below = [&](bool large) {
+    return (end - top - results - equation_height(app, large)) / row_height(app);
+  };
+  const ProbeRows rows = probe ? number_rows(app, *probe, std::size_t(std::max(rows_below(false), 0.0f))) : ProbeRows{};
+  const bool large = !probe || rows_below(true) >= float(rows.wide.size());
   if (probe)
     draw_probe_choices(app, *probe, right, at.x + room.x, at.y + look.px(17));
   else
     draw_figures(app, right, at.x + room.x, at.y + look.px(17));
-  float y = at.y + look.px(24);
+  float y = top;
   y += draw_equation(app, {at.x, y}, room.x, large, rows.wide, rows.narrow) + look.px(4);
   ImGui::SetCursorScreenPos({at.x, y + look.px(4)});
   if (probe) {
-    draw_probe_results(app, *probe, {at.x, y}, {room.x, at.y + room.y - y});
+    draw_probe_results(app, *probe, {at.x, y}, {room.x, end - y});
   } else {
     draw_light_choice(app);
     if (!app.probing.at) draw_hint(app, room.x);

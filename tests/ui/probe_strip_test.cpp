@@ -49,6 +49,7 @@ Scene coloured(ShadingMode mode, int lights) {
 
 TEST_F(ProbeStripTest, IsNeverCut) {
   ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0;  // only what the strip draws counts
+  ImGui::GetStyle().WindowPadding = {16, 10};         // of the strip
   for (const Language language : {Language::english, Language::japanese}) {
     app.settings.language = language;
     for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong})
@@ -57,21 +58,20 @@ TEST_F(ProbeStripTest, IsNeverCut) {
           app.scene = coloured(mode, lights);
           if (grey) app.scene.material.k_d = glm::dvec3(0.8);
           probe_middle();
-          for (const float width : {330.f, 560.f, 588.f, 800.f, 1200.f}) {
-            ImGui::GetIO().DisplaySize = {width, 400};
+          for (const float width : {330.f, 560.f, 588.f, 640.f, 800.f, 1200.f}) {
+            ImGui::GetIO().DisplaySize = {width, 400};  // more room below than the strip has
             frame([&] {
-              const Probe& p = *shown_probe(app);
-              const ProbeRows rows = number_rows(app, p, 4);
+              ImGui::SetCursorScreenPos({0, 0});
+              ImGui::BeginChild("strip", {width, 200}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
               ImGui::PushClipRect({0, 0}, {9999, 9999}, false);
-              const ImVec2 at{16, 20};
-              const float height = draw_equation(app, at, width - 32, false, rows.wide, rows.narrow);
-              const float results = draw_probe_results(app, p, {at.x, at.y + height}, {width - 32, 152 - height});
-              if (width >= 560) {
-                EXPECT_LE(24 + height + 4 + results, 180) << width << ' ' << int(mode) << lights << grey;
-              }
+              draw_strip(app);
               ImGui::PopClipRect();
+              ImGui::EndChild();
             });
             EXPECT_LE(extent().x, width - 16 + 4) << width;  // 4: what is lit has an edge
+            if (width >= 560) {
+              EXPECT_LE(extent().y, 200) << width << ' ' << int(mode) << lights << grey;
+            }
           }
         }
   }
@@ -105,6 +105,23 @@ TEST_F(ProbeStripTest, TheRowsSayWhatTheProbeSays) {
   EXPECT_NEAR(n_dot_l, p.here.lights[0].n_dot_l, 0.0006);
   EXPECT_NEAR(std::strtod(rows.wide[1].cells[std::size_t(Part::diffuse)].c_str(), nullptr), 0.8 * n_dot_l, 0.001);
   EXPECT_NEAR(std::strtod(rows.wide[1].cells[std::size_t(Part::sum)].c_str(), nullptr), p.sum.x, 0.0006);
+}
+
+TEST_F(ProbeStripTest, FactorsHaveALineOfTheirOwn) {
+  for (const int lights : {1, 3})
+    for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong}) {
+      app.scene = coloured(mode, lights);
+      probe_middle();
+      const float line = app.look.px(19);
+      const auto height = [&](float room) {
+        float drawn = 0;
+        frame([&] { drawn = draw_probe_results(app, *shown_probe(app), {0, 0}, {700, room}); });
+        return drawn;
+      };
+      EXPECT_EQ(height(3 * line), 2 * line);
+      EXPECT_EQ(height(2 * line), 2 * line);
+      EXPECT_EQ(height(line), line);
+    }
 }
 
 TEST_F(ProbeStripTest, EscapeLetsThePixelGo) {
