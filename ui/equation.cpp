@@ -133,7 +133,10 @@ void draw_term(App& app, const Piece& piece, ImVec2 low, ImVec2 high, float base
     app.lit_next = piece.quantity;
     if (!rays) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand), peek(app, piece);
   }
-  if (wants_tooltip(app)) explain_term(app, piece);
+  if (wants_tooltip(app)) {
+    ImGui::SetNextWindowPos({low.x, low.y - look.px(8)}, ImGuiCond_Always, {0, 1});  // not over the numbers
+    explain_term(app, piece);
+  }
   if (pressed && !rays) app.isolated.term = app.isolated.term == piece.quantity ? Quantity::none : piece.quantity;
   const bool lit = app.lit == piece.quantity, alone = app.isolated.term == piece.quantity;
   float alpha = rays || (app.isolated.term != Quantity::none && !alone) ? 0.45f : 1.0f;
