@@ -229,6 +229,14 @@ std::optional<std::vector<std::size_t>> CRun::lengths_of(const CDeclaration& d) 
 }
 
 void CRun::declare(const CDeclaration& d) {
+  const bool is_new = d.is_static && !statics_.contains(&d);
+  declare_with_value(d);
+  const auto change = changing_.find(&d);
+  if (is_new && change != changing_.end() && statics_.contains(&d))
+    memory.change_later(statics_[&d], Text(memory.reason_text(change->second)));
+}
+
+void CRun::declare_with_value(const CDeclaration& d) {
   if (d.is_extern && memory.find_global(d.name) >= 0) return;
   const bool lasting = d.is_static || memory.depth() == 1;
   if (d.is_static)

@@ -51,6 +51,11 @@ class CRun {
   // For a trial: the same state, with another host.
   CRun trial(CHost& host, Complaints& complaints) const;
 
+  // The static variables that were declared so far, in functions too.
+  const std::map<const CDeclaration*, int>& statics() const { return statics_; }
+  // That one has its value for the first picture alone, for the reason, once it is declared.
+  void change_later(const CDeclaration& declaration, const Text& why) { changing_[&declaration] = memory.reason(why); }
+
   CMemory memory;
 
  private:
@@ -62,6 +67,7 @@ class CRun {
   Flow run_loop(const CStatement& statement);
   Flow run_choice(const CStatement& statement);
   void declare(const CDeclaration& declaration);
+  void declare_with_value(const CDeclaration& declaration);
   std::optional<std::vector<std::size_t>> lengths_of(const CDeclaration& declaration);
   void fill(CAddress at, const CExpression& list);
 
@@ -88,7 +94,7 @@ class CRun {
   CHost* host_;
   Complaints* complaints_;
   std::map<std::string_view, const CRoutine*> functions_;
-  std::map<const CDeclaration*, int> statics_;
+  std::map<const CDeclaration*, int> statics_, changing_;
   CValue returned_;
   std::map<const CStatement*, CEffects> effects_;
   long steps_ = 0;

@@ -1,6 +1,7 @@
 #include "workbench/import.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "params/file.h"
 #include "params/input_error.h"
@@ -138,16 +139,23 @@ class Importer {
     for (auto& cells : after) {
       trial.call(display, {}, display.line);
       trial.go_on();
-      for (int i = 0; i < run_.memory.size(); ++i) cells.push_back(trial.memory.variable(i).cells);
+      for (int i = 0; i < trial.memory.size(); ++i) cells.push_back(trial.memory.variable(i).cells);
     }
-    const auto same = [](const CValue& a, const CValue& b) {
-      return a.state == b.state && a.number == b.number && a.address.variable == b.address.variable &&
-             a.address.offset == b.address.offset;
+    const auto changed = [&](int i) {
+      const auto &a = after[0][std::size_t(i)], &b = after[1][std::size_t(i)];
+      return !std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
     };
-    for (int i = 0; i < run_.memory.size(); ++i)
-      if (!std::equal(after[0][std::size_t(i)].begin(), after[0][std::size_t(i)].end(),
-                      after[1][std::size_t(i)].begin(), after[1][std::size_t(i)].end(), same))
-        run_.memory.change_later(i, changes(run_.memory.variable(i).name));
+    const int before = run_.memory.size();
+    for (int i = 0; i < before; ++i)
+      if (changed(i)) run_.memory.change_later(i, changes(run_.memory.variable(i).name));
+    for (const auto& [declaration, i] : trial.statics())
+      if (i >= before && i < int(after[0].size()) && changed(i))
+        run_.change_later(*declaration, changes(declaration->name));
+  }
+
+  static bool alike(const CValue& a, const CValue& b) {
+    return a.state == b.state && a.number == b.number && a.address.variable == b.address.variable &&
+           a.address.offset == b.address.offset;
   }
 
   // ---- a part of a program ----
@@ -163,29 +171,39 @@ class Importer {
     for (const CStatement& b : s.body) calls(b, names);
   }
 
-  // Which functions run first: by the names that a course gives them, then the camera.
-  static int rank(const CRoutine& f) {
-    const auto named = [&](std::string_view word) { return f.name.find(word) != f.name.npos; };
-    if (named("init") || named("Init")) return 0;
-    if (named("reshape") || named("resize") || named("Reshape") || named("Resize")) return 1;
-    if (named("display") || named("draw") || named("Display") || named("Draw") || named("render")) return 4;
+  // Which functions run first: by the names that a course gives them, then the camera. Those for keys, the mouse and
+  // the clock do not run.
+  enum Rank { init, reshape, view, other, display, event };
+  static Rank rank(const CRoutine& f) {
+    std::string name(f.name);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const auto named = [&](std::initializer_list<std::string_view> words) {
+      return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != name.npos; });
+    };
+    if (named({"idle", "timer", "key", "mouse", "motion", "special", "menu", "animate", "update"})) return event;
+    if (named({"init"})) return init;
+    if (named({"reshape", "resize"})) return reshape;
+    if (named({"display", "draw", "render"})) return display;
     std::set<std::string_view> names;
     calls(f.body, names);
-    return names.contains("gluLookAt") ? 2 : 3;
+    return names.contains("gluLookAt") ? view : other;
   }
 
   void parts() {
     std::set<std::string_view> called;
     for (const CRoutine& f : program_.routines) calls(f.body, called);
     if (usage_.routine()) calls(usage_.routine()->body, called);
-    std::vector<std::pair<int, const CRoutine*>> roots;
+    std::vector<std::pair<Rank, const CRoutine*>> roots;
     for (const CRoutine& f : program_.routines)
       if (!called.contains(f.name)) roots.emplace_back(rank(f), &f);
     std::stable_sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::vector<CValue> size{c_integer(machine_.state.width), c_integer(machine_.state.height)};
+    for (const auto& [rank, f] : roots)
+      if (rank == event) changes_in(*f);
     for (const auto& [rank, f] : roots) {
-      if (rank == 4) changes_between_pictures(*f);
-      call(*f, rank == 1 ? size : std::vector<CValue>{});
+      if (rank == event) continue;
+      if (rank == display) changes_between_pictures(*f);
+      call(*f, rank == reshape ? size : std::vector<CValue>{});
     }
     if (usage_.routine()) call(*usage_.routine(), {});
   }

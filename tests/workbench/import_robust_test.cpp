@@ -163,6 +163,36 @@ TEST(ImportUnknown, BranchesAreLeftOutAndTheirVariablesForgotten) {
   EXPECT_EQ(r.scene.objects[0].transform.translate, glm::dvec3(6, 0, 0));
 }
 
+// A variable that lives on inside display() changes from picture to picture.
+TEST(ImportUnknown, StaticVariablesOfDisplay) {
+  const ImportReport r = import_c(
+      "void spin(void) {\n"
+      "  static int r = 0; static float size = 2;\n"
+      "  glRotated((double)r, 0, 1, 0);\n"
+      "  glScalef(size, size, size);\n"
+      "  if (++r >= 360) r = 0;\n"
+      "}\n"
+      "void display(void) { glEnable(GL_NORMALIZE); spin(); glutSolidSphere(1, 16, 8); }\n",
+      "a.c");
+  EXPECT_EQ(all(r),
+            "3: 'r' changes while the program runs: this glRotated is left out\n"
+            "5: 'r' changes while the program runs: taken as in the first picture\n");
+  EXPECT_EQ(r.scene.objects[0].transform.scale, glm::dvec3(2));
+}
+
+// Without main(), too, what keys and the clock change is not the first picture's.
+TEST(ImportUnknown, EventsOfAPartOfAProgram) {
+  const ImportReport r = import_c(
+      "float x = 1, y = 2;\n"
+      "void myIdle(void) { x += 1; }\n"
+      "void keyboard(unsigned char key, int a, int b) { glShadeModel(GL_FLAT); }\n"
+      "void display(void) { glTranslatef(x, 0, 0); glTranslatef(0, y, 0); }\n",
+      "a.c");
+  EXPECT_EQ(all(r), "4: 'x' changes while the program runs: this glTranslatef is left out\n");
+  EXPECT_EQ(r.scene.objects[0].transform.translate, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(r.scene.shading.mode, ShadingMode::gouraud);
+}
+
 TEST(ImportUnknown, WhatAFunctionMayChangeIsForgotten) {
   const ImportReport r = import_c(
       "float a[] = {1, 1, 1, 1}, b[] = {0.5, 0.5, 0.5, 1};\n"
