@@ -34,8 +34,11 @@ void add_own_light_model(const Mistakes& mistakes, std::vector<ListingLine>& lin
   lines.emplace_back();
   for (const SourceLine& source : own_light_model(mistakes)) {
     ListingLine line;
-    line.text = source.missing ? "/* " + source.text + " */" : source.text;
-    line.guilty = !source.mistake.empty(), line.comment = source.missing;
+    const std::size_t indent = std::min(source.text.find_first_not_of(' '), source.text.size());
+    line.text =
+        source.missing ? source.text.substr(0, indent) + "/* " + source.text.substr(indent) + " */" : source.text;
+    line.guilty = !source.mistake.empty(), line.mistake = source.mistake;
+    line.comment = source.missing || source.text.compare(indent, 2, "/*") == 0;
     lines.push_back(std::move(line));
   }
 }

@@ -29,7 +29,8 @@ struct ListingLine {
   int light = -1;                      // index into Scene::lights
   std::string path;                    // of the parameter that the line is about, also where it has no number; or empty
   bool comment = false;                // says something and does nothing
-  bool guilty = false;                 // a mistake that was put in on purpose is in this line
+  bool guilty = false;                 // a mistake that was put in on purpose is in this line:
+  std::string_view mistake = {};       // the name of the member of Mistakes
   friend bool operator==(const ListingLine&, const ListingLine&) = default;
 };
 

@@ -9,7 +9,7 @@ namespace {
 ListingLine line_of(const GlCall& call) {
   ListingLine line;
   line.quantity = call.quantity, line.light = call.light, line.path = call.path;
-  line.guilty = !call.mistake.empty();
+  line.guilty = !call.mistake.empty(), line.mistake = call.mistake;
   return line;
 }
 
