@@ -6,7 +6,10 @@
 
 namespace cg {
 
-// Pictures are mostly dark in either theme: what stands on them is light in both. `scale` as in Look.
+// Pictures are mostly dark in either theme: what stands on them is light in both.
+inline constexpr ImU32 on_picture = IM_COL32(255, 255, 255, 255);
+
+// `scale` as in Look.
 LineStyle style_of(float scale, Mark mark);
 
 // Of the vectors of a probed point, as letters and tips have it too.

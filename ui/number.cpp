@@ -54,6 +54,8 @@ std::string number_text(double value, int decimals, std::size_t room) {
   return to_text(value, std::chars_format::scientific, 0);
 }
 
+std::string rounded(double value, int decimals) { return to_text(value, std::chars_format::fixed, decimals); }
+
 double slider_position(const About& about, double value) {
   const Range r = about.slider_range();
   if (!(r.max > r.min) || std::isnan(value)) return 0;

@@ -12,6 +12,9 @@ int decimals(const About& about);
 // `value` with at least `decimals` decimals and exact if that fits into `room` characters; else rounded to fit.
 std::string number_text(double value, int decimals, std::size_t room = 8);
 
+// With exactly so many decimals.
+std::string rounded(double value, int decimals);
+
 // Where `value` stands on the slider, 0..1; NaN stands at 0.
 double slider_position(const About& about, double value);
 

@@ -47,6 +47,7 @@ struct Place {
   double screen_width() const { return double(high.x - low.x); }
   double screen_height() const { return double(high.y - low.y); }
   bool empty() const { return !(high.x - low.x >= 1) || !(high.y - low.y >= 1) || width < 1 || height < 1; }
+  ImVec2 middle() const { return {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}; }
   bool contains(ImVec2 p) const { return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y; }
 
   // 0..1 of what is seen.
