@@ -19,6 +19,7 @@ constexpr std::array list{
     Action{Do::open, {"Open", "開く"}, "Ctrl+O", GLFW_KEY_O, true},
     Action{Do::save, {"Save", "保存"}, "Ctrl+S", GLFW_KEY_S, true},
     Action{Do::picture, {"Picture", "画像"}, "Ctrl+P", GLFW_KEY_P, true},
+    Action{Do::export_scene, {"Export", "書き出し"}, "Ctrl+E", GLFW_KEY_E, true},
     Action{Do::undo, {"Undo", "元に戻す"}, "Ctrl+Z", GLFW_KEY_Z, true},
     Action{Do::redo, {"Redo", "やり直す"}, "Ctrl+Y", GLFW_KEY_Y, true},
     Action{Do::redo, {"Redo", "やり直す"}, "Ctrl+Shift+Z", GLFW_KEY_Z, true, true},
@@ -39,6 +40,7 @@ constexpr std::array list{
     Action{Do::world, {"The scene from outside", "外から見る"}, "O", GLFW_KEY_O},
     Action{Do::mistakes, {"Break it on purpose", "わざと間違える"}, "K", GLFW_KEY_K},
     Action{Do::presets, {"Presets A and B", "プリセット A・B"}, "A", GLFW_KEY_A},
+    Action{Do::flip_presets, {"Flip presets A and B", "プリセット A・B の切替"}, "X", GLFW_KEY_X},
     Action{Do::challenge, {"Match a picture", "絵の再現"}, "H", GLFW_KEY_H},
     Action{Do::code, {"Program", "プログラム"}, "C", GLFW_KEY_C},
     Action{Do::plan, {"Plan", "計画"}, "P", GLFW_KEY_P},
@@ -77,6 +79,9 @@ void perform(App& app, Do what) {
       break;
     case Do::picture:
       app.dialogue = {Dialogue::picture, "picture.png", true};
+      break;
+    case Do::export_scene:
+      app.dialogue = {Dialogue::export_scene, {}, true, app.dialogue.format};
       break;
     case Do::undo:
       app.scene = app.history.undo();
@@ -123,6 +128,9 @@ void perform(App& app, Do what) {
     case Do::plan:
     case Do::mesh:
       show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
+      break;
+    case Do::flip_presets:
+      flip_presets(app);
       break;
     case Do::code:
       app.settings.code = !app.settings.code;

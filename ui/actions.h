@@ -14,6 +14,7 @@ enum class Do {
   open,
   save,
   picture,
+  export_scene,
   undo,
   redo,
   fit,
@@ -36,6 +37,7 @@ enum class Do {
   plan,
   mesh,
   code,
+  flip_presets,
   turntable,
   help
 };

@@ -13,6 +13,7 @@
 #include "ui/code_view.h"
 #include "ui/look.h"
 #include "ui/opening.h"
+#include "ui/presets.h"
 #include "ui/probe_jobs.h"
 #include "ui/settings.h"
 #include "workbench/history.h"
@@ -60,13 +61,16 @@ struct Editing {
 
 // The dialogue that is open, over all else.
 struct Dialogue {
-  enum Kind { none, open, save, picture } kind = none;
+  enum Kind { none, open, save, picture, export_scene } kind = none;
   std::string text;
   bool fresh = false;  // it opens in this frame
+  int format = 2;      // of an export: an ExportFormat
 };
 
+class MistakeJobs;
 class Panes;
 class WorldView;
+struct QuizGame;
 
 struct App {
   Scene scene;  // meshes loaded; the panes draw a copy of it with `isolated` applied
@@ -101,6 +105,9 @@ struct App {
   Quantity lit = Quantity::none, lit_next = Quantity::none;
 
   CodeView code;
+  PresetShelf presets;
+  std::shared_ptr<MistakeJobs> mistake_jobs;  // null before the panel was shown
+  std::shared_ptr<QuizGame> quiz;             // null: none is going on
 
   double content_scale = 1;  // of the monitor
   Editing editing;

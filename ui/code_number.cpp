@@ -38,8 +38,10 @@ void set_back(App& app, const ListingNumber& number) {
   store(app, number, component_of(slot.initial, number.component) * number.factor);
 }
 
-void describe_number(App& app, const ListingNumber& number) {
+// Above the line, which the mouse is at: what stands below it is to be read.
+void describe_number(App& app, const ListingNumber& number, ImVec2 at) {
   const Slots all = slots(app.scene);
+  ImGui::SetNextWindowPos({at.x, at.y - app.look.px(4)}, 0, {0, 1});
   describe(app, *find_slot(all, number.path).about, number.path);
 }
 
@@ -63,7 +65,7 @@ void type_next(App& app, const ListingLine& line, std::size_t index) {
     }
 }
 
-void type_number(App& app, const ListingLine& line, std::size_t index, ImVec2 at, ImVec2 size) {
+float type_number(App& app, const ListingLine& line, std::size_t index, ImVec2 at, ImVec2 size) {
   const ListingNumber number = line.numbers[index];
   const std::string shown = line.text.substr(number.begin, number.end - number.begin);
   Look& look = app.look;
@@ -72,7 +74,8 @@ void type_number(App& app, const ListingLine& line, std::size_t index, ImVec2 at
   if (opened_just_now && ImGui::IsMouseDoubleClicked(0) &&
       ImGui::IsMouseHoveringRect(at, {at.x + field.x, at.y + size.y})) {
     app.editing = {};
-    return set_back(app, number);
+    set_back(app, number);
+    return 0;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       {look.px(3), std::max(0.0f, 0.5f * (size.y - look.fonts.small_mono->FontSize))});
@@ -84,6 +87,7 @@ void type_number(App& app, const ListingLine& line, std::size_t index, ImVec2 at
   const bool onward = app.editing.item == 0 && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
   if (typed) store(app, number, std::string_view(*typed));
   if (onward) type_next(app, line, index);
+  return field.x - size.x;
 }
 
 // As the sketch of a blank to be filled in.
@@ -96,7 +100,7 @@ void underline(ImDrawList* draw, const Look& look, ImVec2 at, float width, ImU32
 
 }  // namespace
 
-void code_number(App& app, const ListingLine& line, std::size_t index, int key, ImVec2 at, float height) {
+float code_number(App& app, const ListingLine& line, std::size_t index, int key, ImVec2 at, float height) {
   Look& look = app.look;
   const ListingNumber& number = line.numbers[index];
   ImFont* font = look.fonts.small_mono;
@@ -115,7 +119,7 @@ void code_number(App& app, const ListingLine& line, std::size_t index, int key, 
   if (ImGui::IsItemDeactivated() && hovered && !ImGui::IsMouseDragPastThreshold(0))
     begin_typing(app, id, std::string(text));
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (wants_tooltip(app)) describe_number(app, number);
+  if (wants_tooltip(app)) describe_number(app, number, at);
 
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 colour = line.quantity == Quantity::none ? look.palette.text : look.of(line.quantity);
@@ -126,6 +130,7 @@ void code_number(App& app, const ListingLine& line, std::size_t index, int key, 
   const float baseline = at.y + std::floor(0.5f * (height - font->FontSize)) + font->Ascent;
   set_text(draw, font, {at.x, baseline}, colour, text);
   underline(draw, look, {at.x, std::floor(baseline + look.px(3))}, size.x, colour, hovered || held);
+  return 0;
 }
 
 void move_held_number(App& app) {

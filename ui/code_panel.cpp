@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "params/slots.h"
 #include "ui/app.h"
 #include "ui/formula.h"
 #include "ui/layout.h"
+#include "ui/quiz.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -78,6 +80,24 @@ void draw_guilt(const Look& look, ImVec2 at, float height) {
   draw->AddRectFilled({c - dot, bottom - look.px(3)}, {c + dot, bottom - look.px(1.5f)}, ink);
 }
 
+// The line that was clicked in the quiz and is not the guilty one.
+void draw_cross(const Look& look, ImVec2 at, float height) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float r = look.px(4), w = look.px(2);
+  const ImVec2 c{at.x + look.px(7.5f), at.y + 0.5f * height};
+  draw->AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, look.palette.text, w);
+  draw->AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, look.palette.text, w);
+}
+
+void explain_guilt(App& app, const ListingLine& line, ImVec2 at) {
+  Mistakes names;
+  for (const Slot& slot : slots(names)) {
+    if (slot.path != line.mistake) continue;
+    ImGui::SetNextWindowPos({at.x, at.y - app.look.px(4)}, 0, {0, 1});
+    tooltip(app, slot.about->label.in(app.language()), slot.about->help.in(app.language()), {});
+  }
+}
+
 struct LinePlace {
   ImVec2 at;  // of the gutter
   float width, height, gutter;
@@ -90,14 +110,21 @@ bool draw_line_back(App& app, const ListingLine& line, const LinePlace& p) {
   const ImVec2 end{p.at.x + p.width, p.at.y + p.height};
   const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
                        ImGui::IsMouseHoveringRect(p.at, end) && !line.text.empty();
-  const bool term = line.quantity != Quantity::none;
+  const bool term = line.quantity != Quantity::none, guilty = line.guilty && !quiz_asks(app);
   if (hovered && term) app.lit_next = line.quantity;
-  if (line.guilty) draw->AddRectFilled(p.at, end, faded(look.palette.error, 0.16f), look.px(3));
+  if (guilty) draw->AddRectFilled(p.at, end, faded(look.palette.error, 0.16f), look.px(3));
   if (term && app.lit == line.quantity)
     draw->AddRectFilled(p.at, end, faded(look.of(line.quantity), 0.16f), look.px(3));
   else if (hovered)
     draw->AddRectFilled(p.at, end, faded(look.palette.raised, 0.6f), look.px(3));
-  if (line.guilty) draw_guilt(look, p.at, p.height);
+  if (guilty) {
+    draw_guilt(look, p.at, p.height);
+    ImGui::SetCursorScreenPos(p.at);
+    ImGui::InvisibleButton(line.text.c_str(), {p.gutter, p.height});
+    if (wants_tooltip(app)) explain_guilt(app, line, p.at);
+  } else if (app.quiz && app.quiz->quiz.answered() && line.text == app.quiz->chosen) {
+    draw_cross(look, p.at, p.height);
+  }
   return hovered;
 }
 
@@ -106,20 +133,25 @@ void draw_line(App& app, std::size_t index, const LinePlace& p) {
   const CodeView& view = app.code;
   const ListingLine& line = view.listing.lines[index];
   ImFont* font = look.fonts.small_mono;
-  const bool hovered = draw_line_back(app, line, p);
-  const float letter = text_width(font, "0"), x0 = p.at.x + p.gutter;
+  const bool asks = quiz_asks(app), hovered = draw_line_back(app, line, p);
+  const float letter = text_width(font, "0");
+  float x0 = p.at.x + p.gutter;
   const float baseline = p.at.y + std::floor(0.5f * (p.height - font->FontSize)) + font->Ascent;
   std::size_t number = 0;
   for (const CodeRun& run : code_runs(line)) {
     const ImVec2 at{x0 + letter * float(run.begin), p.at.y};
     const std::string_view text = std::string_view(line.text).substr(run.begin, run.end - run.begin);
-    if (run.ink == CodeInk::number && !line.numbers[number].path.empty())
-      code_number(app, line, number, view.keys[index][number], at, p.height);
+    if (run.ink == CodeInk::number && !line.numbers[number].path.empty() && !asks)
+      x0 += code_number(app, line, number, view.keys[index][number], at, p.height);
     else
       set_text(ImGui::GetWindowDrawList(), font, {at.x, baseline}, ink_of(look, run.ink), noted(app, text));
     if (run.ink == CodeInk::number) ++number;
   }
-  if (hovered && line.light >= 0 && ImGui::IsMouseClicked(0)) app.light = app.code.light = line.light;
+  if (!hovered) return;
+  if (asks) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (!ImGui::IsMouseClicked(0)) return;
+  if (line.light >= 0) app.light = app.code.light = line.light;
+  if (asks) answer_line(app, line);
 }
 
 // Brings a line to the top when another light was selected, or a section was pressed.
@@ -157,7 +189,7 @@ void draw_lines(App& app) {
 }  // namespace
 
 void draw_code_panel(App& app) {
-  app.code.make(app.scene, app.language(), false);
+  app.code.make(app.scene, app.language(), quiz_asks(app));
   draw_heading(app);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   if (ImGui::BeginChild("lines", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_HorizontalScrollbar))

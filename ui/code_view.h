@@ -58,8 +58,9 @@ struct CodeRun {
 // The line as runs, from left to right, without gaps: its numbers, and between them C's words and signs.
 std::vector<CodeRun> code_runs(const ListingLine& line);
 
-// One number of the listing with its top left corner at `at`: shown, dragged, typed, set back.
-void code_number(App& app, const ListingLine& line, std::size_t index, int key, ImVec2 at, float height);
+// One number of the listing with its top left corner at `at`: shown, dragged, typed, set back. Returns how much more
+// room than its letters it takes: the field in which it is typed is wider.
+float code_number(App& app, const ListingLine& line, std::size_t index, int key, ImVec2 at, float height);
 // Moves the number that is held, also where its line is out of sight. Once a frame, in the window of the lines.
 void move_held_number(App& app);
 

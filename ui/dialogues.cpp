@@ -6,6 +6,7 @@
 
 #include "scene/shape.h"
 #include "ui/app.h"
+#include "ui/export_dialogue.h"
 #include "ui/layout.h"
 #include "ui/widgets.h"
 #include "workbench/model_library.h"
@@ -121,6 +122,9 @@ void draw_dialogues(App& app) {
         break;
       case Dialogue::picture:
         draw_picture(app);
+        break;
+      case Dialogue::export_scene:
+        if (draw_export_dialogue(app)) close(app);
         break;
       case Dialogue::none:
         ImGui::CloseCurrentPopup();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/app.h"
+#include "ui/quiz.h"
 
 namespace cg {
 namespace {
@@ -38,7 +39,7 @@ void keep(App& app, const Placement& placement, SessionStore& store) {
   app.settings.left = id(app.left), app.settings.right = id(app.right);
   Placement place = placement;
   Session session;
-  session.scene = app.scene;
+  session.scene = app.quiz ? app.quiz->quiz.before() : app.scene;
   session.source = app.preset;
   session.recent = app.recent;
   session.settings = values_of(slots(app.settings));

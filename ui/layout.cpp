@@ -5,6 +5,7 @@
 
 #include "ui/app.h"
 #include "ui/fill.h"
+#include "ui/quiz.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -136,6 +137,7 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
 
 void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   if (!(size.x >= 1) || !(size.y >= 1)) return;
+  keep_quiz(app);
   app.lit = app.lit_next;
   app.lit_next = Quantity::none;
   ImGui::SetNextWindowPos({0, 0});

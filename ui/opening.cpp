@@ -6,6 +6,9 @@
 
 #include "image/image_file.h"
 #include "ui/app.h"
+#include "ui/quiz.h"
+#include "workbench/import.h"
+#include "workbench/model_library.h"
 #include "workbench/open.h"
 #include "workbench/preset.h"
 #include "workbench/session.h"
@@ -42,16 +45,45 @@ void Errands::finish(App& app) {
     if (d) d(app);
 }
 
+namespace {
+
+// Another scene in place of the one in hand.
+void replace_scene(App& app, Scene scene, const std::string& what) {
+  leave_quiz(app);
+  app.scene = std::move(scene);
+  app.preset = what.ends_with(".json") ? what : std::string();
+  app.light = app.object = 0;
+  app.isolated = {};
+  add_recent(app.recent, what);
+}
+
+// A student's program, with what was not understood of it.
+void import_in_window(App& app, const std::string& file) {
+  app.errands->run(app, [file]() -> Errands::Done {
+    auto report = std::make_shared<ImportReport>(import_file(file));
+    load_meshes(report->scene);
+    return [file, report](App& a) {
+      replace_scene(a, std::move(report->scene), file);
+      a.presets.imported = std::filesystem::path(file).filename().string();
+      a.presets.complaints = std::move(report->complaints);
+      const std::string n = std::to_string(a.presets.complaints.size());
+      if (a.presets.complaints.empty()) return;
+      a.settings.side = Side::presets;
+      say(a, Text("Not all of it was understood: " + n + " remarks at the right",
+                  "読み取れないところがありました（" + n + " 件、右に表示）"));
+    };
+  });
+}
+
+}  // namespace
+
 void open_in_window(App& app, std::string what) {
+  if (std::filesystem::path(what).extension() == ".c") return import_in_window(app, what);
   app.errands->run(app, [what]() -> Errands::Done {
     auto notes = std::make_shared<std::vector<Text>>();
     auto scene = std::make_shared<Scene>(open_scene(what, notes.get()));
     return [what, notes, scene](App& a) {
-      a.scene = std::move(*scene);
-      a.preset = what.ends_with(".json") ? what : std::string();
-      a.light = a.object = 0;
-      a.isolated = {};
-      add_recent(a.recent, what);
+      replace_scene(a, std::move(*scene), what);
       for (const Text& note : *notes) say(a, note);
     };
   });

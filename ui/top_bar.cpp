@@ -69,7 +69,8 @@ void draw_top_bar(App& app) {
   x += set_text(draw, look.fonts.bold, {x, baseline}, look.palette.text, "Shadebench") + look.px(20);
 
   const Language l = app.language();
-  const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture)};
+  const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture),
+                                plain(app, Do::export_scene)};
   std::vector<Item> rest{{Do::undo, std::string(action(Do::undo).label.in(l)), false, app.history.can_undo()},
                          {Do::redo, std::string(action(Do::redo).label.in(l)), false, app.history.can_redo()},
                          {Do::lesson, std::string(action(Do::lesson).label.in(l)), app.settings.side == Side::lesson},
