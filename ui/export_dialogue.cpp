@@ -40,7 +40,7 @@ Text afterwards(ExportFormat format, const std::string& file) {
   const std::string compile = "cc -o " + word + " " + fs::path(file).filename().string() + " -lglut -lGLU -lGL -lm";
   switch (format) {
     case ExportFormat::glut:
-      return {". Compile: " + compile, "。コンパイル: " + compile};
+      return {". With freeglut3-dev: " + compile, "。freeglut3-dev があれば: " + compile};
     case ExportFormat::c:
       return {". Call its functions from your display()", "。display() から関数を呼び出してください"};
     default:

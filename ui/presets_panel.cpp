@@ -19,14 +19,27 @@ constexpr std::array<const char*, 2> letters{"A", "B"};
 
 void small_gap(const App& app) { ImGui::Dummy({1, app.look.px(4)}); }
 
+// The letter, and what is kept there at the right end.
+void name_line(App& app, std::string_view letter, std::string_view name) {
+  Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, baseline = at.y + look.px(19);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  set_text(draw, look.fonts.bold, {at.x, baseline}, look.palette.text, letter);
+  const float w = std::min(text_width(look.fonts.small, noted(app, name)), room - look.px(30));
+  draw->PushClipRect({at.x + room - w, at.y}, {at.x + room, at.y + look.px(26)}, true);
+  set_text(draw, look.fonts.small, {at.x + room - w, baseline}, look.palette.dim, name);
+  draw->PopClipRect();
+  ImGui::Dummy({room, look.px(22)});
+}
+
 // One of the two: its letter, what it is, and what can be done with it.
 void draw_one(App& app, int which) {
   const Language l = app.language();
   const std::optional<Scene>& kept = app.presets.kept[std::size_t(which)];
   ImGui::PushID(which);
-  pair_line(app, letters[std::size_t(which)],
-            kept ? app.presets.names[std::size_t(which)] : std::string(Words{"empty", "空"}.in(l)),
-            app.look.palette.text);
+  name_line(app, letters[std::size_t(which)],
+            kept ? std::string_view(app.presets.names[std::size_t(which)]) : Words{"empty", "空"}.in(l));
   const bool shown = kept && app.scene == *kept;
   if (button(app, "store",
              {.label = Words{"Store", "控える"}.in(l),
@@ -51,8 +64,10 @@ std::string value_text(const Tree& value, Language l) {
   if (value.is_null()) return std::string(Words{"none", "なし"}.in(l));
   if (value.members()) return std::string(Words{"there", "あり"}.in(l));
   if (const std::string* text = value.string()) return *text;
-  std::string text = to_json(value, 0);
-  if (value.list() && text.size() > 2) text = text.substr(1, text.size() - 2);
+  const Tree::List* list = value.list();
+  if (!list) return to_json(value, 0);
+  std::string text;
+  for (const Tree& item : *list) text += (text.empty() ? "" : "  ") + to_json(item, 0);
   return text;
 }
 
