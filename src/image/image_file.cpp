@@ -67,9 +67,10 @@ std::size_t receive_tail(ImageConversation& conversation) {
   return std::size_t(tail.bad_pixels);
 }
 
-// What both ways of writing do: rows(y, n) gives n rows from y on, in the order's sample type.
+// The bytes of the file: rows(y, n) gives n rows from y on, in the order's sample type.
 template <class Rows>
-void write(const fs::path& file, const EncodeOrder& order, std::size_t row_bytes, ImageProgram& program, Rows rows) {
+std::string encode(const fs::path& file, const EncodeOrder& order, std::size_t row_bytes, ImageProgram& program,
+                   Rows rows) {
   if (!size_allowed(order.width, order.height))
     throw InputError(
         file.string(),
@@ -94,7 +95,7 @@ void write(const fs::path& file, const EncodeOrder& order, std::size_t row_bytes
   std::string bytes(std::size_t(header.size), '\0');
   conversation.receive_body(bytes.data(), bytes.size());
   conversation.finish();
-  save_file(file, bytes);
+  return bytes;
 }
 
 // Turns what the standard library throws when memory ends into the user's message.
@@ -153,7 +154,7 @@ void write_image(const fs::path& file, const ColourImage& linear, const Display&
   std::vector<float> rows;
   with_memory(file, [&] {
     const EncodeOrder order{linear.width(), linear.height(), 3, format, sample};
-    write(file, order, row * sizeof(float), program, [&](int y, int n) {
+    const std::string bytes = encode(file, order, row * sizeof(float), program, [&](int y, int n) {
       rows.resize(row * std::size_t(n));
       const float* from = channels(linear) + row * std::size_t(y);
       if (shown)
@@ -163,19 +164,24 @@ void write_image(const fs::path& file, const ColourImage& linear, const Display&
                    [largest](float x) { return std::isnan(x) ? 0.0f : std::clamp(x, -largest, largest); });
       return rows.data();
     });
+    save_file(file, bytes);
   });
 }
 
 void write_image(const fs::path& file, const Picture& picture, ImageProgram& program) {
-  const ImageFormat format = format_to_write(file);
+  const std::string bytes = encode_image(file, format_to_write(file), picture, program);
+  with_memory(file, [&] { save_file(file, bytes); });
+}
+
+std::string encode_image(const fs::path& file, ImageFormat format, const Picture& picture, ImageProgram& program) {
   if (format == ImageFormat::exr || format == ImageFormat::hdr)
     throw InputError(file.string(), {"this picture has 8 bits a channel", "8 ビットの画像です"},
                      {"use .png or .jpg", ".png か .jpg を使ってください"});
   const std::size_t row = 3 * std::size_t(picture.width());
   std::vector<std::uint8_t> rows;
-  with_memory(file, [&] {
+  return with_memory(file, [&] {
     const EncodeOrder order{picture.width(), picture.height(), 3, format, Sample::u8};
-    write(file, order, row, program, [&](int y, int n) {
+    return encode(file, order, row, program, [&](int y, int n) {
       rows.resize(row * std::size_t(n));
       std::uint8_t* to = rows.data();
       const glm::u8vec4* from = picture.row(y);

@@ -36,4 +36,8 @@ void write_image(const std::filesystem::path& file, const ColourImage& linear, c
 void write_image(const std::filesystem::path& file, const Picture& picture,
                  ImageProgram& program = ImageProgram::shared());
 
+// The bytes of what write_image() would save, or of a GIF with one frame. `file` is named in errors.
+std::string encode_image(const std::filesystem::path& file, ImageFormat format, const Picture& picture,
+                         ImageProgram& program = ImageProgram::shared());
+
 }  // namespace cg

@@ -9,7 +9,8 @@
 
 namespace cg {
 
-enum class ImageFormat : unsigned char { png, jpeg, exr, hdr, bmp, tga, pnm, tiff };
+// GIF is only written, and only one frame of it (image/gif_animation.h).
+enum class ImageFormat : unsigned char { png, jpeg, exr, hdr, bmp, tga, pnm, tiff, gif };
 
 // The format of a file that begins with these bytes, or why it is not read: an unknown format, or a variant whose
 // readers are not safe (colour-mapped TGA, tiled or deep EXR).

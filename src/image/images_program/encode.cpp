@@ -61,7 +61,9 @@ const std::vector<unsigned char>& Encoder::finish() {
   if (!output_->close()) throw Refused(Failure::encoding, output_->geterror());
   OIIO::Filesystem::IOMemReader reader(bytes_.data(), bytes_.size());
   const OIIO::ImageSpec read = open_image(order_.format, reader)->spec();
-  if (read.width != order_.width || read.height != order_.height || read.nchannels != order_.channels)
+  const bool channels =
+      read.nchannels == order_.channels || order_.format == ImageFormat::gif;  // its reader adds alpha
+  if (read.width != order_.width || read.height != order_.height || !channels)
     throw Refused(Failure::encoding, "verification");
   return bytes_;
 }

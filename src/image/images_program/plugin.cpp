@@ -27,6 +27,8 @@ Plugin plugin_of(ImageFormat format) {
       return {"pnm", "image.ppm"};
     case ImageFormat::tiff:
       return {"tiff", "image.tif"};
+    case ImageFormat::gif:
+      return {"gif", "image.gif"};
   }
   throw Refused(Failure::header, "");
 }
