@@ -30,6 +30,7 @@ Language language_of_environment() {
 
 std::optional<std::filesystem::path> config_folder() { return xdg_folder("XDG_CONFIG_HOME", ".config"); }
 std::optional<std::filesystem::path> state_folder() { return xdg_folder("XDG_STATE_HOME", ".local/state"); }
+std::optional<std::filesystem::path> data_home_folder() { return xdg_folder("XDG_DATA_HOME", ".local/share"); }
 std::optional<std::filesystem::path> cache_folder() { return xdg_folder("XDG_CACHE_HOME", ".cache"); }
 
 }  // namespace cg

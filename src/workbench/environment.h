@@ -15,5 +15,6 @@ Language language_of_environment();
 std::optional<std::filesystem::path> config_folder();
 std::optional<std::filesystem::path> state_folder();
 std::optional<std::filesystem::path> cache_folder();
+std::optional<std::filesystem::path> data_home_folder();  // XDG_DATA_HOME: lessons of one's own
 
 }  // namespace cg
