@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "ui/app.h"
+#include "ui/lesson_player.h"
 #include "ui/opening.h"
+#include "ui/recording.h"
 
 namespace cg {
 namespace {
@@ -45,18 +47,35 @@ constexpr std::array list{
     Action{Do::code, {"Program", "プログラム"}, "C", GLFW_KEY_C},
     Action{Do::plan, {"Plan", "計画"}, "P", GLFW_KEY_P},
     Action{Do::mesh, {"Mesh", "メッシュ"}, "M", GLFW_KEY_M},
+    Action{Do::next_step, {"Next step", "次のステップ"}, "Page Down", GLFW_KEY_PAGE_DOWN},
+    Action{Do::previous_step, {"Previous step", "前のステップ"}, "Page Up", GLFW_KEY_PAGE_UP},
+    Action{Do::play, {"Play a slider", "スライダを動かす"}, "Space", GLFW_KEY_SPACE},
+    Action{Do::present, {"Present", "発表"}, "F5", GLFW_KEY_F5},
+    Action{Do::record, {"Record", "録画"}, "Ctrl+R", GLFW_KEY_R, true},
     Action{Do::help, {"Keys", "キー"}, "F1", GLFW_KEY_F1},
 };
 
 // Keys that stand for the same as one of the list: the number pad, and + with Shift.
-constexpr std::array also{std::pair{GLFW_KEY_KP_ADD, Do::larger}, std::pair{GLFW_KEY_KP_SUBTRACT, Do::smaller},
-                          std::pair{GLFW_KEY_KP_0, Do::usual_size}};
+struct Also {
+  int key;
+  bool ctrl;
+  Do what;
+};
+constexpr std::array also{Also{GLFW_KEY_KP_ADD, true, Do::larger}, Also{GLFW_KEY_KP_SUBTRACT, true, Do::smaller},
+                          Also{GLFW_KEY_KP_0, true, Do::usual_size}, Also{GLFW_KEY_F11, false, Do::present}};
 
 void show_side(App& app, Side side) { app.settings.side = app.settings.side == side ? Side::none : side; }
 
 void zoom(App& app, double factor) {
   const double next = std::round(app.settings.zoom * factor * 20) / 20;
   app.settings.zoom = std::clamp(next, 0.5, 3.0);
+}
+
+// What is on top goes first: the list of keys, a slider that plays, the probe.
+void escape(App& app) {
+  if (std::exchange(app.help, false)) return;
+  if (app.sweep.item) return stop_sweep(app);
+  app.probing = {};
 }
 
 }  // namespace
@@ -135,6 +154,21 @@ void perform(App& app, Do what) {
     case Do::code:
       app.settings.code = !app.settings.code;
       break;
+    case Do::next_step:
+    case Do::previous_step:
+      stop_sweep(app);
+      lessons_of(app).go(what == Do::next_step ? 1 : -1);
+      if (app.settings.side != Side::lesson && !app.presenter.on) app.settings.side = Side::lesson;
+      break;
+    case Do::play:
+      toggle_sweep(app);
+      break;
+    case Do::present:
+      app.presenter.on = !app.presenter.on;
+      break;
+    case Do::record:
+      toggle_recording(app);
+      break;
     case Do::help:
       app.help = !app.help;
       break;
@@ -144,7 +178,8 @@ void perform(App& app, Do what) {
 void handle_keys(App& app, std::span<const KeyPress> pressed) {
   if (ImGui::GetIO().WantTextInput) return;
   for (const KeyPress& p : pressed) {
-    if (p.key == GLFW_KEY_ESCAPE && !std::exchange(app.help, false)) app.probing = {};
+    if (presenter_takes(app, p)) continue;
+    if (p.key == GLFW_KEY_ESCAPE) escape(app);
     if (app.dialogue.kind != Dialogue::none || p.other) continue;
     for (const Action& a : list) {
       if (a.key != p.key || a.ctrl != p.ctrl) continue;
@@ -153,8 +188,8 @@ void handle_keys(App& app, std::span<const KeyPress> pressed) {
       if (p.repeat && a.what != Do::undo && a.what != Do::redo) continue;
       perform(app, a.what);
     }
-    for (const auto& [key, what] : also)
-      if (key == p.key && p.ctrl) perform(app, what);
+    for (const Also& a : also)
+      if (a.key == p.key && a.ctrl == p.ctrl && !p.repeat) perform(app, a.what);
   }
 }
 

@@ -39,6 +39,11 @@ enum class Do {
   code,
   flip_presets,
   turntable,
+  next_step,
+  previous_step,
+  play,
+  present,
+  record,
   help
 };
 

@@ -13,9 +13,12 @@
 #include "ui/code_view.h"
 #include "ui/look.h"
 #include "ui/opening.h"
+#include "ui/presenter.h"
 #include "ui/presets.h"
 #include "ui/probe_jobs.h"
 #include "ui/settings.h"
+#include "ui/state_dump.h"
+#include "ui/sweep.h"
 #include "workbench/history.h"
 #include "workbench/job.h"
 
@@ -67,8 +70,12 @@ struct Dialogue {
   int format = 2;      // of an export: an ExportFormat
 };
 
+class ChallengeGame;
+struct LectureDesk;
+class LessonPlayer;
 class MistakeJobs;
 class Panes;
+class Recorder;
 class WorldView;
 struct QuizGame;
 
@@ -92,6 +99,14 @@ struct App {
   bool fit_asked = false;     // the panes fit the camera at the next frame, then clear it
   bool turntable = false;
 
+  std::shared_ptr<LessonPlayer> lessons;     // through lessons_of()
+  std::shared_ptr<LectureDesk> lecture;      // what was changed since the window opened; null before the first frame
+  std::shared_ptr<ChallengeGame> challenge;  // through game_of()
+  std::shared_ptr<Recorder> recorder;        // through recorder_of()
+  std::shared_ptr<StateDump> dump;           // null unless a test asked for it
+  Sweep sweep;
+  Presenter presenter;
+
   // The pictures' own affairs. Made in the first frame; let go while the window's OpenGL context is still there.
   std::shared_ptr<Panes> panes;
   std::shared_ptr<WorldView> world;  // the same of the view from outside
@@ -112,7 +127,6 @@ struct App {
   double content_scale = 1;  // of the monitor
   Editing editing;
   Dialogue dialogue;
-  int picture_side = 1;  // which picture is saved: 0 left, 1 right
   bool help = false;
   double now = 0;              // seconds of the window's clock at this frame
   bool gesture = false;        // a drag in the panes is one step of undo: set by them while it lasts

@@ -112,6 +112,7 @@ float code_number(App& app, const ListingLine& line, std::size_t index, int key,
   ImGui::SetCursorScreenPos({at.x - look.px(2), at.y});
   ImGui::PushOverrideID(id);
   ImGui::InvisibleButton("number", {size.x + look.px(4), height});
+  note_place(app, "code", number.path);
   ImGui::PopID();
   CodeView& view = app.code;
   if (ImGui::IsItemActivated()) view.held = {ImGui::GetItemID(), number, false};

@@ -84,24 +84,6 @@ void draw_save(App& app) {
   }
 }
 
-void draw_picture(App& app) {
-  const Language l = app.language();
-  const bool entered = path_field(app, {"picture.png", "picture.png"});
-  constexpr std::array<Name, 2> sides{{{"left", {"Left", "左"}}, {"right", {"Right", "右"}}}};
-  ImGui::Dummy({1, app.look.px(4)});
-  choose(app, "side", sides, app.picture_side);
-  ImGui::SameLine(0, app.look.px(24));
-  const bool there = bool(app.drawings[app.picture_side]);
-  if ((button(app, "save", {.label = Words{"Save", "保存"}.in(l), .enabled = there}) || entered) && there &&
-      !app.dialogue.text.empty()) {
-    save_picture(app, app.dialogue.text);
-    close(app);
-  }
-  heading(app, Words{"PNG and JPEG as shown; EXR and HDR keep the linear numbers",
-                     "PNG と JPEG は表示どおり、EXR と HDR は線形の値のまま"}
-                   .in(l));
-}
-
 }  // namespace
 
 void draw_dialogues(App& app) {
@@ -121,7 +103,7 @@ void draw_dialogues(App& app) {
         draw_save(app);
         break;
       case Dialogue::picture:
-        draw_picture(app);
+        if (draw_picture_dialogue(app)) close(app);
         break;
       case Dialogue::export_scene:
         if (draw_export_dialogue(app)) close(app);

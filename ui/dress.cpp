@@ -11,7 +11,10 @@
 namespace cg {
 namespace {
 
-float scale_of(const App& app) { return float(std::clamp(app.content_scale * app.settings.zoom, 0.4, 8.0)); }
+float scale_of(const App& app) {
+  const double monitor = app.presenter.on ? app.presenter.scale : app.content_scale;
+  return float(std::clamp(monitor * app.settings.zoom, 0.4, 8.0));
+}
 
 }  // namespace
 
@@ -40,6 +43,7 @@ void Dress::fit(App& app) {
   const bool first = !fonts_;
   if (pending_.valid() && (first || pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
     adopt(app);
+  look.stroke = app.presenter.on ? 1.5f : 1.0f;
   const float scale = scale_of(app);
   if (!pending_.valid() && (scale != fonts_->scale || look.glyphs.changed)) {
     start(app, scale);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/app.h"
+#include "ui/lesson_player.h"
 #include "ui/quiz.h"
 
 namespace cg {
@@ -37,6 +38,7 @@ void keep(App& app, const Placement& placement, SessionStore& store) {
     return i >= 0 && i < int(app.techniques.size()) ? app.techniques[std::size_t(i)].id : std::string();
   };
   app.settings.left = id(app.left), app.settings.right = id(app.right);
+  app.settings.lesson = app.lessons ? app.lessons->place() : std::string();
   Placement place = placement;
   Session session;
   session.scene = app.quiz ? app.quiz->quiz.before() : app.scene;

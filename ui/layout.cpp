@@ -6,6 +6,7 @@
 #include "ui/app.h"
 #include "ui/fill.h"
 #include "ui/quiz.h"
+#include "ui/recording.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -148,11 +149,15 @@ void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  draw_areas(app, size, middle);
+  if (app.presenter.on)
+    draw_presentation(app, size, middle);
+  else
+    draw_areas(app, size, middle);
   draw_dialogues(app);
   draw_help(app);
   ImGui::End();
   draw_toasts(app, size);
+  if (!app.presenter.on || !app.presenter.black) draw_recording_sign(app, size.x);
   if (app.lit != app.lit_next) app.animating = true;  // one more frame shows it
 }
 

@@ -32,5 +32,6 @@ void draw_mesh_panel(App& app);
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);
 void draw_dialogues(App& app);
+bool draw_picture_dialogue(App& app);  // into the popup; true when it is done
 
 }  // namespace cg

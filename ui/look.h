@@ -44,7 +44,8 @@ struct Fonts {
 
 struct Look {
   Palette palette;
-  float scale = 1;  // pixels for one unit of the design: the monitor's scale times the user's zoom
+  float stroke = 1;  // lines and markers are thicker by this, on top of the scale
+  float scale = 1;   // pixels for one unit of the design: the monitor's scale times the user's zoom
   Fonts fonts;
   Glyphs glyphs;
 

@@ -15,6 +15,22 @@
 
 namespace cg {
 
+namespace {
+
+// Two pictures beside each other, black between them and below the lower one.
+ColourImage beside(const ColourImage& a, const ColourImage& b) {
+  constexpr int gap = 8;
+  ColourImage out(a.width() + gap + b.width(), std::max(a.height(), b.height()));
+  for (int y = 0; y < out.height(); ++y) {
+    std::fill_n(out.row(y), out.width(), glm::vec3(0));
+    if (y < a.height()) std::copy_n(a.row(y), a.width(), out.row(y));
+    if (y < b.height()) std::copy_n(b.row(y), b.width(), out.row(y) + a.width() + gap);
+  }
+  return out;
+}
+
+}  // namespace
+
 void Errands::run(App& app, std::function<Done()> task) {
   worker_.submit([this, wake = app.wake, task = std::move(task)](Progress&) {
     Done done;
@@ -90,7 +106,7 @@ void open_in_window(App& app, std::string what) {
 }
 
 void keep_history(App& app) {
-  const ImGuiID held = ImGui::IsMouseDown(0) ? ImGui::GetActiveID() : 0;
+  const ImGuiID held = app.sweep.item ? app.sweep.item : ImGui::IsMouseDown(0) ? ImGui::GetActiveID() : 0;
   if (held == 0 && !app.gesture) app.history.end_gesture();
   const std::string gesture = held != 0 ? std::to_string(held) : app.gesture ? "pane" : std::string();
   app.history.change(app.scene, gesture);
@@ -104,10 +120,12 @@ void save_or_ask(App& app) {
 }
 
 void save_picture(App& app, std::filesystem::path file) {
-  const DrawingHandle drawing = app.drawings[app.picture_side];
-  if (!drawing) return;
-  app.errands->run(app, [file, drawing]() -> Errands::Done {
-    write_image(file, drawing->frame.colour, drawing->scene.display);
+  const Recorded what = app.settings.picture;
+  const DrawingHandle one = app.drawings[what == Recorded::right ? 1 : 0];
+  const DrawingHandle two = what == Recorded::both ? app.drawings[1] : nullptr;
+  if (!one || (what == Recorded::both && !two)) return;
+  app.errands->run(app, [file, one, two]() -> Errands::Done {
+    write_image(file, two ? beside(one->frame.colour, two->frame.colour) : one->frame.colour, one->scene.display);
     return [file](App& a) { say(a, Text("Saved " + file.string(), file.string() + " に保存しました")); };
   });
 }

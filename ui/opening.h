@@ -36,7 +36,7 @@ void open_in_window(App& app, std::string what);
 void save_or_ask(App& app);
 void save_as(App& app, std::filesystem::path file);
 
-// Writes the picture of the side app.picture_side.
+// Writes the picture of the side that the settings say, or of both.
 void save_picture(App& app, std::filesystem::path file);
 
 }  // namespace cg

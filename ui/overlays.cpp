@@ -96,7 +96,7 @@ void draw_help(App& app) {
              look.palette.text, noted(app, words));
     y += look.px(34);
   };
-  constexpr std::size_t first = 14;  // the rest of the keys stands above the mouse, in the second column
+  const std::size_t first = (actions().size() + 7) / 2;  // the rest stands above the mouse, in the second column
   title(0, {"Keys", "キー"});
   for (std::size_t i = 0; i < std::min(first, actions().size()); ++i)
     line(0, actions()[i].keys, actions()[i].label.in(l));

@@ -125,6 +125,7 @@ void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, 
       "picture", {place.high.x - place.low.x, place.high.y - place.low.y},
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
   ImGui::PopID();
+  note_place(app, "picture", side == 0 ? "left" : "right");
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (hovered) {

@@ -47,7 +47,7 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();
   call.clip = {low.x, low.y, high.x, high.y};
-  call.style = [scale = app.look.scale](Mark m) { return style_of(scale, m); };
+  call.style = [scale = app.look.scale * app.look.stroke](Mark m) { return style_of(scale, m); };
   draw->AddCallback(&Panes::draw_lines, &call);
   draw->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
   draw->PopClipRect();

@@ -7,6 +7,7 @@
 #include "ui/app.h"
 #include "ui/formula.h"
 #include "ui/layout.h"
+#include "ui/lesson_panel.h"
 #include "ui/parameter.h"
 #include "ui/widgets.h"
 #include "workbench/model_library.h"
@@ -185,6 +186,11 @@ void gap(const App& app) { ImGui::Dummy({1, app.look.px(6)}); }
 }  // namespace
 
 void draw_parameters(App& app) {
+  // In a lesson what the step is about stands first, and all the rest is folded away.
+  if (draw_offered_parameters(app)) {
+    gap(app);
+    if (!section(app, "all", {"All parameters", "すべてのパラメータ"}, false)) return;
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {app.look.px(8), app.look.px(4)});
   draw_light_tabs(app);
   const Slots all = slots(app.scene);

@@ -58,7 +58,8 @@ RowChange number_row(App& app, const Row& row) {
   ImGui::PushID(row.id);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = std::max(ImGui::GetContentRegionAvail().x, look.px(150)), h = look.px(30);
-  const float reset_w = look.px(20), value_w = look.px(78), swatch_w = look.px(row.swatch ? 20 : 0);
+  const float reset_w = look.px(20), play_w = look.px(18), value_w = look.px(78),
+              swatch_w = look.px(row.swatch ? 20 : 0);
   const float symbol_w = look.px(row.symbol.empty() ? -7 : 34);  // the knob's line begins at the edge
   const bool lit = app.lit != Quantity::none && app.lit == row.about->quantity;
   const ImU32 colour = look.of(row.about->quantity);
@@ -74,13 +75,15 @@ RowChange number_row(App& app, const Row& row) {
   }
   ImGui::SetCursorScreenPos({at.x + symbol_w, at.y});
   double position = slider_position(*row.about, row.value);
-  if (slider(app, "slider", position, colour, lit, {room - symbol_w - swatch_w - value_w - reset_w - look.px(6), h}))
+  const float slider_w = room - symbol_w - swatch_w - value_w - play_w - reset_w - look.px(6);
+  if (slider(app, "slider", position, colour, lit, {slider_w, h}))
     change.moved = slider_value(*row.about, position, ImGui::GetIO().KeyShift);
+  note_place(app, "slider", row.about->name);
   if (wants_tooltip(app)) describe(app, *row.about, row.exact.empty() ? exact_text(row.value) : row.exact);
   double steps = 0;
   if (wheel(app, steps)) change.moved = stepped(*row.about, row.value, steps, ImGui::GetIO().KeyShift);
 
-  const float value_x = at.x + room - reset_w - value_w;
+  const float value_x = at.x + room - reset_w - play_w - value_w;
   if (row.swatch)
     show_swatch(app, *row.swatch, {value_x - look.px(14), at.y + 0.5f * (h - look.px(16))}, look.px(16), change);
   if (app.editing.item == ImGui::GetID("value"))
@@ -90,6 +93,9 @@ RowChange number_row(App& app, const Row& row) {
     show_value(app, row, {value_x + (row.swatch ? look.px(8) : 0), at.y}, {value_w - (row.swatch ? look.px(8) : 0), h},
                change);
   if (wheel(app, steps)) change.moved = stepped(*row.about, row.value, steps, ImGui::GetIO().KeyShift);
+  if (change.moved || change.typed) choose_for_sweep(app);
+  if (const auto swept = sweep_row(app, position, wholly_hovered, {at.x + room - reset_w - play_w, at.y}, {play_w, h}))
+    change.moved = slider_value(*row.about, *swept, true);
   ImGui::SetCursorScreenPos({at.x + room - reset_w, at.y});
   change.reset = reset_arrow(app, "reset", row.differs, {reset_w, h});
   ImGui::SetCursorScreenPos({at.x, at.y + h});

@@ -9,18 +9,20 @@
 
 #include "image/image_file.h"
 #include "ui/app.h"
+#include "ui/lesson_player.h"
 
 namespace cg {
 
 bool Screenshot::wanted(App& app, bool fonts_busy) {
   if (file_.empty()) return false;
   app.animating = true;
-  const bool ready = app.figures.valid && !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
+  const bool lesson = app.lessons && (app.lessons->loading() || app.lessons->busy());
+  const bool ready = app.figures.valid && !lesson && !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
   calm_ = ready ? calm_ + 1 : 0;
   return calm_ > 5 || app.now > 20;
 }
 
-void Screenshot::take(GLFWwindow* window) const {
+Picture window_picture(GLFWwindow* window) {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
   std::vector<glm::u8vec4> rows(std::size_t(width) * std::size_t(height));
@@ -29,7 +31,9 @@ void Screenshot::take(GLFWwindow* window) const {
   Picture picture(width, height);
   for (int y = 0; y < height; ++y)
     std::copy_n(rows.data() + std::size_t(height - 1 - y) * std::size_t(width), width, picture.row(y));
-  write_image(file_, picture);
+  return picture;
 }
+
+void Screenshot::take(GLFWwindow* window) const { write_image(file_, window_picture(window)); }
 
 }  // namespace cg

@@ -2,11 +2,16 @@
 #pragma once
 #include <string>
 
+#include "image/display.h"
+
 struct GLFWwindow;
 
 namespace cg {
 
 struct App;
+
+// What the window's next swap will show.
+Picture window_picture(GLFWwindow* window);
 
 class Screenshot {
  public:

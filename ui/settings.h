@@ -27,6 +27,18 @@ inline constexpr std::array<Name, 8> names_of<Side>{{{"none", {"Closed", "閉じ
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
 
+// What a recording shows, and what it becomes.
+enum class Recorded { left, right, both, window };
+template <>
+inline constexpr std::array<Name, 4> names_of<Recorded>{{{"left", {"Left", "左"}},
+                                                         {"right", {"Right", "右"}},
+                                                         {"both", {"Both", "両方"}},
+                                                         {"window", {"Window", "ウィンドウ"}}}};
+enum class RecordedAs { gif, png };
+template <>
+inline constexpr std::array<Name, 2> names_of<RecordedAs>{
+    {{"gif", {"Animated GIF", "GIF アニメーション"}}, {"png", {"PNG sequence", "連番 PNG"}}}};
+
 struct Settings {
   Language language = Language::english;
   Theme theme = Theme::dark;
@@ -42,9 +54,13 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
-  bool divided_by_w = false;   // the view from outside
-  bool code = true;            // the listing, beside the equation;
-  bool code_in_front = false;  // or, where there is no room for both, before it
+  bool divided_by_w = false;           // the view from outside
+  bool code = true;                    // the listing, beside the equation;
+  bool code_in_front = false;          // or, where there is no room for both, before it
+  std::string lesson;                  // where the open lesson is: "03-shading:2"; empty: none
+  Recorded picture = Recorded::right;  // what is saved or recorded
+  RecordedAs record_as = RecordedAs::gif;
+  double sweep_seconds = 4;  // that a slider which plays takes from end to end
   double left_width = 312, right_width = 320, strip_height = 200, code_width = 640;  // of the layout, units
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -97,6 +113,15 @@ inline constexpr auto fields_of<Settings> = std::tuple{
                                      .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
     field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
     field(&Settings::divided_by_w, {.name = "divided_by_w", .label = {"After the division by w", "w で割った後"}}),
+    field(&Settings::lesson, {.name = "lesson", .label = {"Lesson", "授業"}}),
+    field(&Settings::picture, {.name = "picture", .label = {"Saved or recorded", "保存・録画するもの"}}),
+    field(&Settings::record_as, {.name = "record_as", .label = {"Recorded as", "録画の形式"}}),
+    field(&Settings::sweep_seconds, {.name = "sweep_seconds",
+                                     .unit = "s",
+                                     .range = {0.1, 600},
+                                     .slider = Range{0.5, 30},
+                                     .scale = Scale::logarithmic,
+                                     .label = {"Pace of a slider that plays", "スライダ再生の片道の時間"}}),
     field(&Settings::code, {.name = "code",
                             .label = {"Program", "プログラム"},
                             .help = {"Shows the scene as OpenGL calls.", "シーンを OpenGL の呼び出しとして示す。"}}),

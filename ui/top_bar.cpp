@@ -7,6 +7,7 @@
 #include "ui/app.h"
 #include "ui/formula.h"
 #include "ui/layout.h"
+#include "ui/lesson_panel.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -69,23 +70,29 @@ void draw_top_bar(App& app) {
   x += set_text(draw, look.fonts.bold, {x, baseline}, look.palette.text, "Shadebench") + look.px(20);
 
   const Language l = app.language();
-  const std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture),
-                                plain(app, Do::export_scene)};
+  std::vector<Item> files{plain(app, Do::open), plain(app, Do::save), plain(app, Do::picture),
+                          plain(app, Do::export_scene)};
   std::vector<Item> rest{{Do::undo, std::string(action(Do::undo).label.in(l)), false, app.history.can_undo()},
                          {Do::redo, std::string(action(Do::redo).label.in(l)), false, app.history.can_redo()},
                          {Do::lesson, std::string(action(Do::lesson).label.in(l)), app.settings.side == Side::lesson},
                          {Do::code, std::string(action(Do::code).label.in(l)), app.settings.code},
                          {Do::plan, std::string(action(Do::plan).label.in(l)), app.settings.side == Side::plan},
                          {Do::language, l == Language::english ? "日本語" : "English"},
+                         {Do::present, std::string(action(Do::present).label.in(l))},
                          {Do::theme, "◐"},
                          {Do::help, "?"}};
+  // In a narrow window what has a key goes first: beside a lesson's title the files; undo, redo, lesson, program, plan.
+  const float wanted = lesson_place_width(app);
+  if (wanted > 0 && x - at.x + wanted + width_of(app, files) + width_of(app, rest) > room) files.clear();
+  while (wanted > 0 && rest.size() > 6 && x - at.x + wanted + width_of(app, rest) > room) rest.erase(rest.begin());
   const float files_w = width_of(app, files);
-  // In a narrow window what has a key goes first: undo, redo, lesson, program, plan.
   while (rest.size() > 3 && x - at.x + files_w + width_of(app, rest) > room) rest.erase(rest.begin());
   const float rest_w = width_of(app, rest);
-  const std::string name = title(app);
+  const float place = draw_lesson_place(app, {x, at.y}, room - (x - at.x) - rest_w - files_w - look.px(16));
+  if (place > 0) x += place + look.px(16);
+  const std::string name = place > 0 ? std::string() : title(app);
   const float name_room = room - (x - at.x) - rest_w - files_w - look.px(32);
-  if (name_room > look.px(40)) {
+  if (!name.empty() && name_room > look.px(40)) {
     draw->PushClipRect({x, at.y}, {x + name_room, at.y + look.px(40)}, true);
     set_text(draw, look.fonts.text, {x, baseline}, look.palette.dim, noted(app, name));
     draw->PopClipRect();

@@ -83,6 +83,7 @@ bool button(App& app, const char* id, const Press& press) {
   const std::string_view label = noted(app, press.label);
   const ImVec2 at = ImGui::GetCursorScreenPos(), size{button_width(app, label), look.px(32)};
   const bool pressed = ImGui::InvisibleButton(id, size) && press.enabled;
+  note_place(app, "button", label);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 face = press.chosen               ? look.palette.accent
@@ -134,6 +135,7 @@ bool toggle(App& app, const char* id, std::string_view label, bool& on) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float w = std::max(1.0f, ImGui::GetContentRegionAvail().x), h = look.px(30);
   const bool pressed = ImGui::InvisibleButton(id, {w, h});
+  note_place(app, "toggle", label);
   if (pressed) on = !on;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   set_text(draw, look.fonts.text, {at.x, centred_baseline(look.fonts.text, at.y, h)}, look.palette.text,
@@ -168,7 +170,7 @@ bool slider(App& app, const char* id, double& position, ImU32 colour, bool lit, 
   const float t = float(position > 0 ? std::min(position, 1.0) : 0.0);  // NaN is 0
   const float x = x0 + t * (x1 - x0);
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float thick = look.px(hovered || active || lit ? 4 : 3) * 0.5f;
+  const float thick = look.px((hovered || active || lit ? 4 : 3) * look.stroke) * 0.5f;
   draw->AddRectFilled({x0, y - thick}, {x1, y + thick}, look.palette.line, thick);
   draw->AddRectFilled({x0, y - thick}, {x, y + thick}, colour, thick);
   if (active || lit) draw->AddCircleFilled({x, y}, r + look.px(4), faded(colour, 0.35f));

@@ -16,11 +16,16 @@
 #include "scene/shape.h"
 #include "ui/actions.h"
 #include "ui/app.h"
+#include "ui/challenge_game.h"
 #include "ui/dress.h"
 #include "ui/frame_times.h"
 #include "ui/keeping.h"
 #include "ui/layout.h"
+#include "ui/lecture.h"
+#include "ui/lesson_player.h"
 #include "ui/measure.h"
+#include "ui/one_at_a_time.h"
+#include "ui/recording.h"
 #include "ui/screenshot.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
@@ -154,14 +159,20 @@ void draw_frame(App& app, Surface& surface) {
   app.animating = false;
   app.next_frame = app.now + 2;
   app.errands->finish(app);
+  lessons_of(app).update(app);
+  game_of(app).update(app);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = frame_time(io.DeltaTime);
   ImGui::NewFrame();
   handle_keys(app, surface.take_keys());
+  watch_sweep(app);
   draw_window(app, io.DisplaySize);
   keep_history(app);
+  note_lecture(app);
+  recorder_of(app).update(app);
+  if (app.dump) app.dump->write(app);
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(surface.get(), &width, &height);
@@ -192,10 +203,21 @@ void open_at_start(App& app, const std::string& what) {
   for (const Text& note : notes) say(app, note);
 }
 
+// The lesson of the last session, which goes on where it was; or the step that was named, with its view.
+void open_lesson_at_start(App& app, const std::string& scene) {
+  const std::optional<StepName> named = scene.empty() ? std::nullopt : find_step(scene);
+  if (!named) return lessons_of(app).resume(app.settings.lesson, false);
+  lessons_of(app).open(named->folder, named->step);
+  app.settings.side = Side::lesson;
+}
+
 // What lives on the window's OpenGL context goes before it.
 struct ContextUsers {
   App& app;
-  ~ContextUsers() { app.panes.reset(), app.world.reset(); }
+  ~ContextUsers() {
+    app.panes.reset(), app.world.reset();
+    app.challenge.reset();
+  }
 };
 
 }  // namespace
@@ -204,7 +226,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   StartTimes start(options.times);
   Pace pace;  // outlives the threads that wake the window
   App app;
-  app.techniques = techniques;
+  for (const Technique& technique : techniques) app.techniques.push_back(one_at_a_time(technique));
   app.settings.language = language_of_environment();
   app.wake = [&pace] {
     pace.woken = true;
@@ -218,9 +240,11 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   choose_techniques(app);
   if (options.width > 0 && options.height > 0) place = {options.width, options.height};
   app.bundled = bundled_models();
+  if (!options.state.empty()) app.dump = std::make_shared<StateDump>(options.state);
   if (!options.scene.empty()) open_at_start(app, options.scene);
   if (app.scene.objects.empty()) app.scene = open_scene(std::string(shapes().front().id));
   app.history.restart(app.scene);
+  open_lesson_at_start(app, options.scene);
   start.mark("scene");
   if (options.scale > 0) app.content_scale = options.scale;
   Dress dress(app);  // the fonts are built while the window opens
@@ -234,13 +258,15 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     if (!first) wait_for_reason(app, pace);
     times.begin();
     app.content_scale = options.scale > 0 ? options.scale : surface.content_scale();
+    fit_presenter(app, surface.get());
     dress.fit(app);
     if (first) start.mark("fonts built");
     measurement.change(app);
     draw_frame(app, surface);
     measurement.drawn(app);
-    glfwGetWindowSize(surface.get(), &place.width, &place.height);
+    if (!app.presenter.full) glfwGetWindowSize(surface.get(), &place.width, &place.height);
     if (options.keep_session) keep(app, place, store);
+    if (recorder_of(app).wants_window(app)) recorder_of(app).take_window(app, window_picture(surface.get()));
     times.end();
     if (shot.wanted(app, dress.busy())) {
       shot.take(surface.get());

@@ -17,6 +17,7 @@ struct WindowOptions {
   std::vector<std::string> set;  // "path=value" of the window's settings
   bool keep_session = true;      // read it at the start, write it while running
   bool times = false;            // print what the start and the frames took, to stderr
+  std::string state;             // a file that says what the window shows, for a test; empty: none
   double measure = 0;            // seconds of a scripted drag of a slider; prints its figures, then the window closes
 };
 

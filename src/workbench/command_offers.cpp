@@ -37,6 +37,9 @@ void CommandParser::add_window() {
       say({"Neither restore nor save the session", "前回の状態を使わず、保存もしない"})));
   in_group(app_.add_flag("--times", window.times,
                          say({"Print what the start and the frames take", "起動と描画の時間を表示する"})));
+  add(app_, "--state", window.state, "FILE",
+      {"Keep what the window shows in a file, for a test", "ウィンドウの状態をファイルに書く（テスト用）"})
+      ->group("");
   add(app_, "--measure-window", window.measure, "SECONDS",
       {"Drag a slider by script and print how far the pictures are behind",
        "スライダを自動で動かし、画像の遅れを表示する"})

@@ -1,0 +1,97 @@
+#include "ui/state_dump.h"
+
+#include "params/file.h"
+#include "ui/app.h"
+#include "ui/challenge_game.h"
+#include "ui/lesson_player.h"
+#include "ui/recording.h"
+#include "workbench/preset.h"
+
+namespace cg {
+namespace {
+
+Tree lesson_state(App& app) {
+  Tree out;
+  LessonPlayer& player = lessons_of(app);
+  out.at("place") = player.place();
+  out.at("ready") = player.current() != nullptr && !player.busy();
+  out.at("error") = player.error() ? player.error()->message(Language::english) : std::string();
+  Tree::List known;
+  for (const LessonEntry& entry : player.list()) known.emplace_back(entry.id);
+  out.at("list") = std::move(known);
+  Tree tasks{Tree::Members{}};
+  if (const LessonStep* step = player.current())
+    for (const LessonTask& task : step->tasks) tasks.at(task.id) = player.task(task.id).done;
+  out.at("tasks") = std::move(tasks);
+  return out;
+}
+
+Tree probe_state(const App& app) {
+  Tree out;
+  out.at("side") = app.probing.side;
+  if (const auto& probed = app.probing.results[std::size_t(app.probing.side)]) {
+    const glm::ivec2 pixel = probed->probe.pixel;
+    out.at("pixel") = Tree::List{pixel.x, pixel.y};
+  }
+  return out;
+}
+
+Tree challenge_state(const App& app) {
+  Tree out;
+  out.at("playing") = app.challenge && app.challenge->playing();
+  if (app.challenge && app.challenge->score()) out.at("score") = app.challenge->score()->value;
+  return out;
+}
+
+}  // namespace
+
+void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
+  places_[std::string(name)] =
+      Tree::List{Tree(double(low.x)), Tree(double(low.y)), Tree(double(high.x)), Tree(double(high.y))};
+}
+
+void StateDump::write(const App& constant) {
+  App& app = const_cast<App&>(constant);
+  Tree out;
+  out.at("settings") = values_of(slots(app.settings));
+  try {
+    out.at("scene") = preset_of(app.scene);
+  } catch (const InputError&) {  // its model's file has gone
+  }
+  out.at("lesson") = lesson_state(app);
+  out.at("probe") = probe_state(app);
+  out.at("challenge") = challenge_state(app);
+  out.at("presenting") = app.presenter.on;
+  out.at("black") = app.presenter.black;
+  out.at("sweeping") = app.sweep.item != 0;
+  out.at("recording") = recorder_of(app).recording();
+  out.at("can_undo") = app.history.can_undo();
+  out.at("can_redo") = app.history.can_redo();
+  out.at("pictures_match") = app.figures.valid;
+  out.at("dialogue") = int(app.dialogue.kind);
+  out.at("help") = app.help;
+  Tree::List said;
+  for (const Toast& toast : app.toasts) said.emplace_back(toast.text.en);
+  out.at("said") = std::move(said);
+  Tree places{Tree::Members{}};
+  for (auto& [name, corners] : places_) places.at(name) = std::move(corners);
+  places_.clear();
+  out.at("places") = std::move(places);
+  std::string text = to_json(out, 0);
+  if (text == written_) return;
+  written_ = text;
+  out.at("serial") = ++serial_;
+  worker_.submit([file = file_, bytes = to_json(out, 1)](Progress&) {
+    try {
+      save_file(file, bytes);
+    } catch (const InputError&) {  // the test sees that nothing comes
+    }
+  });
+}
+
+void note_place(const App& app, std::string_view kind, std::string_view name) {
+  if (app.dump)
+    app.dump->place(std::string(kind) + ":" + std::string(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+}  // namespace cg

@@ -1,0 +1,36 @@
+// What the window shows, as JSON in a file that a test reads: what is set, what is open, and where the controls are.
+#pragma once
+#include <imgui.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "params/tree.h"
+#include "workbench/worker.h"
+
+namespace cg {
+
+struct App;
+
+class StateDump {
+ public:
+  explicit StateDump(std::filesystem::path file) : file_(std::move(file)) {}
+
+  // A control of this frame: its name, and its corners in pixels.
+  void place(std::string_view name, ImVec2 low, ImVec2 high);
+  // After a frame: the file is written, on a thread of its own, where something differs.
+  void write(const App& app);
+
+ private:
+  std::filesystem::path file_;
+  std::map<std::string, Tree> places_;
+  std::string written_;
+  double serial_ = 0;
+  Worker worker_;
+};
+
+// The last item of ImGui's is the control of that name; nothing where no test asks.
+void note_place(const App& app, std::string_view kind, std::string_view name);
+
+}  // namespace cg
