@@ -17,7 +17,6 @@
 #include "ui/presets.h"
 #include "ui/probe_jobs.h"
 #include "ui/settings.h"
-#include "ui/state_dump.h"
 #include "ui/sweep.h"
 #include "workbench/history.h"
 #include "workbench/job.h"
@@ -76,6 +75,7 @@ class LessonPlayer;
 class MistakeJobs;
 class Panes;
 class Recorder;
+class StateDump;
 class WorldView;
 struct QuizGame;
 
@@ -150,6 +150,9 @@ void write(App& app, const Text& text);
 inline std::string_view noted(App& app, std::string_view text) { return app.look.glyphs.note(text); }
 inline std::string_view noted(App& app, const Words& words) { return noted(app, words.in(app.language())); }
 inline std::string_view noted(App& app, const Text& text) { return noted(app, text.in(app.language())); }
+
+// The last item of ImGui's is the control of that name: for a test that asked where controls are.
+void note_place(const App& app, std::string_view kind, std::string_view name);
 
 // Tells the user; an error stays longer.
 void say(App& app, Text text);

@@ -39,6 +39,7 @@ Tree probe_state(const App& app) {
 Tree challenge_state(const App& app) {
   Tree out;
   out.at("playing") = app.challenge && app.challenge->playing();
+  out.at("given_up") = app.challenge && app.challenge->given_up();
   if (app.challenge && app.challenge->score()) out.at("score") = app.challenge->score()->value;
   return out;
 }
@@ -50,8 +51,7 @@ void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
       Tree::List{Tree(double(low.x)), Tree(double(low.y)), Tree(double(high.x)), Tree(double(high.y))};
 }
 
-void StateDump::write(const App& constant) {
-  App& app = const_cast<App&>(constant);
+void StateDump::write(App& app, bool busy) {
   Tree out;
   out.at("settings") = values_of(slots(app.settings));
   try {
@@ -67,7 +67,9 @@ void StateDump::write(const App& constant) {
   out.at("recording") = recorder_of(app).recording();
   out.at("can_undo") = app.history.can_undo();
   out.at("can_redo") = app.history.can_redo();
-  out.at("pictures_match") = app.figures.valid;
+  out.at("full_screen") = app.presenter.full;
+  out.at("calm") = app.figures.valid && !busy && !app.errands->busy() && !app.look.glyphs.changed &&
+                   !lessons_of(app).busy() && !lessons_of(app).loading();
   out.at("dialogue") = int(app.dialogue.kind);
   out.at("help") = app.help;
   Tree::List said;

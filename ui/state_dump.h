@@ -19,8 +19,9 @@ class StateDump {
 
   // A control of this frame: its name, and its corners in pixels.
   void place(std::string_view name, ImVec2 low, ImVec2 high);
-  // After a frame: the file is written, on a thread of its own, where something differs.
-  void write(const App& app);
+  // After a frame: the file is written, on a thread of its own, where something differs. `busy`: what the frame does
+  // not know is still being made.
+  void write(App& app, bool busy);
 
  private:
   std::filesystem::path file_;
@@ -29,8 +30,5 @@ class StateDump {
   double serial_ = 0;
   Worker worker_;
 };
-
-// The last item of ImGui's is the control of that name; nothing where no test asks.
-void note_place(const App& app, std::string_view kind, std::string_view name);
 
 }  // namespace cg

@@ -27,6 +27,7 @@
 #include "ui/one_at_a_time.h"
 #include "ui/recording.h"
 #include "ui/screenshot.h"
+#include "ui/state_dump.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
 
@@ -172,7 +173,6 @@ void draw_frame(App& app, Surface& surface) {
   keep_history(app);
   note_lecture(app);
   recorder_of(app).update(app);
-  if (app.dump) app.dump->write(app);
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(surface.get(), &width, &height);
@@ -263,6 +263,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     if (first) start.mark("fonts built");
     measurement.change(app);
     draw_frame(app, surface);
+    if (app.dump) app.dump->write(app, dress.busy());
     measurement.drawn(app);
     if (!app.presenter.full) glfwGetWindowSize(surface.get(), &place.width, &place.height);
     if (options.keep_session) keep(app, place, store);

@@ -32,9 +32,11 @@ TEST_F(ImGuiTest, AMonkeyAtTheWindow) {
   std::mt19937 random(20240607);
   const auto dice = [&](int n) { return int(random() % unsigned(n)); };
   ImGuiIO& io = ImGui::GetIO();
-  constexpr int keys[] = {GLFW_KEY_ENTER, GLFW_KEY_TAB, GLFW_KEY_ESCAPE, GLFW_KEY_BACKSPACE, GLFW_KEY_F1,
-                          GLFW_KEY_L,     GLFW_KEY_D,   GLFW_KEY_1,      GLFW_KEY_3,         GLFW_KEY_P,
-                          GLFW_KEY_M,     GLFW_KEY_Z,   GLFW_KEY_K,      GLFW_KEY_A,         GLFW_KEY_X};
+  constexpr int keys[] = {GLFW_KEY_ENTER,     GLFW_KEY_TAB,     GLFW_KEY_ESCAPE, GLFW_KEY_BACKSPACE, GLFW_KEY_F1,
+                          GLFW_KEY_L,         GLFW_KEY_D,       GLFW_KEY_1,      GLFW_KEY_3,         GLFW_KEY_P,
+                          GLFW_KEY_M,         GLFW_KEY_Z,       GLFW_KEY_K,      GLFW_KEY_A,         GLFW_KEY_X,
+                          GLFW_KEY_PAGE_DOWN, GLFW_KEY_PAGE_UP, GLFW_KEY_SPACE,  GLFW_KEY_B,         GLFW_KEY_F5,
+                          GLFW_KEY_H,         GLFW_KEY_S};
   for (int i = 0; i < 6000; ++i) {
     if (dice(3) == 0) io.MousePos = {float(dice(1280)), float(dice(720))};
     if (dice(4) == 0) io.MousePos = {float(dice(320)), float(dice(720))};
