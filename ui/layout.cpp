@@ -79,6 +79,15 @@ constexpr float least_equation = 540, least_code = 330;  // units
 
 bool both_below(const App& app, float width) { return width >= app.look.px(least_equation) + app.look.px(least_code); }
 
+// Whether the right side goes down to the window's lower edge: where what stands below the pictures keeps the room that
+// it wants; beside a text that is read, also where it keeps what it needs.
+bool side_goes_down(const App& app, float width) {
+  const Settings& s = app.settings;
+  if (!s.code) return width >= app.look.px(least_equation);
+  const bool reads = s.side == Side::lesson || s.side == Side::challenge;
+  return width >= app.look.px(least_equation) + app.look.px(reads ? least_code : float(s.code_width));
+}
+
 // Below everything: the equation, and the listing beside it.
 void draw_below(App& app, ImVec2 at, ImVec2 size) {
   Look& look = app.look;
@@ -108,7 +117,8 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   // The pictures keep at least half of the window.
   const float left = std::min(look.px(float(s.left_width)), size.x * 0.4f);
   const float right = s.side == Side::none ? 0 : std::min(look.px(float(s.right_width)), size.x * 0.34f);
-  const bool tabs = s.code && !both_below(app, size.x);
+  const float below = right > 0 && side_goes_down(app, size.x - right) ? size.x - right - 1 : size.x;
+  const bool tabs = s.code && !both_below(app, below);
   const double needed = app.probing.at ? (tabs ? 238 : 200) : 0;  // by the numbers of a pixel
   const float strip = std::min(look.px(float(std::max(s.strip_height, needed))), size.y * 0.4f);
   const float middle_h = size.y - bar - strip, middle_w = size.x - left - right;
@@ -121,16 +131,17 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     middle(app, {std::max(room.x, 0.0f), std::max(room.y, 0.0f)});
   });
-  area(app, "side", {size.x - right, bar + 1}, {right, middle_h - 1}, p.panel, {look.px(14), look.px(10)}, true,
+  const float side_h = below < size.x ? size.y - bar - 1 : middle_h - 1;
+  area(app, "side", {size.x - right, bar + 1}, {right, side_h}, p.panel, {look.px(14), look.px(10)}, true,
        [&] { draw_side_panel(app); });
-  draw_below(app, {0, bar + middle_h + 1}, {size.x, strip - 1});
+  draw_below(app, {0, bar + middle_h + 1}, {below, strip - 1});
 
   splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, middle_h}, true, s.left_width, 1,
            range_of_setting(&Settings::left_width));
   if (right > 0)
-    splitter(app, "right edge", {size.x - right - gap * 0.5f, bar}, {gap, middle_h}, true, s.right_width, -1,
+    splitter(app, "right edge", {size.x - right - gap * 0.5f, bar}, {gap, side_h}, true, s.right_width, -1,
              range_of_setting(&Settings::right_width));
-  splitter(app, "strip edge", {0, bar + middle_h - gap * 0.5f}, {size.x, gap}, false, s.strip_height, -1,
+  splitter(app, "strip edge", {0, bar + middle_h - gap * 0.5f}, {below, gap}, false, s.strip_height, -1,
            range_of_setting(&Settings::strip_height));
 }
 

@@ -18,8 +18,12 @@
 namespace cg {
 namespace {
 
-void error_text(App& app, const InputError& error) {
-  small_text(app, error.message(app.language()), app.look.palette.error);
+// The lesson's own files by their names alone.
+void error_text(App& app, const InputError& error, const std::filesystem::path& folder) {
+  std::string text = error.message(app.language());
+  const std::string before = (folder / "").string();
+  for (std::size_t at = text.find(before); at != text.npos; at = text.find(before)) text.erase(at, before.size());
+  small_text(app, text, app.look.palette.error);
   ImGui::Dummy({1, app.look.px(4)});
 }
 
@@ -92,7 +96,7 @@ void draw_head(App& app, LessonPlayer& player) {
 
 void draw_text(App& app, LessonPlayer& player, bool presenting) {
   const Language l = app.language();
-  if (player.error()) error_text(app, *player.error());
+  if (player.error()) error_text(app, *player.error(), player.folder());
   const LessonStep* step = player.current();
   if (!step) return;
   std::size_t questions = 0;
@@ -118,20 +122,28 @@ std::vector<std::string> offered_paths(App& app) {
   return step ? step->offered : std::vector<std::string>{};
 }
 
+// The "1" of "lights.1.position".
+std::string index_in(const std::string& path) {
+  const std::size_t dot = path.find('.');
+  return path.substr(dot + 1, path.find('.', dot + 1) - dot - 1);
+}
+
 // What a path belongs to, as a heading: "LIGHT0", "Material", "Shading".
 std::string group_of(const std::string& path, Language language) {
-  const std::size_t dot = path.find('.');
-  const std::string first = path.substr(0, dot);
-  if (first == "lights" || first == "objects") {
-    const std::string index = path.substr(dot + 1, path.find('.', dot + 1) - dot - 1);
-    return first == "lights" ? std::string(Words{"Light", "光源"}.in(language)) + " LIGHT" + index
-                             : std::string(Words{"Object", "物体"}.in(language)) + " " + index;
-  }
+  const std::string first = path.substr(0, path.find('.'));
+  if (first == "lights") return std::string(Words{"Light", "光源"}.in(language)) + " LIGHT" + index_in(path);
+  if (first == "objects") return std::string(Words{"Object", "物体"}.in(language)) + " " + index_in(path);
   std::string label;
   std::apply(
       [&](const auto&... f) { ((f.about.name == first ? void(label = f.about.label.in(language)) : void()), ...); },
       fields_of<Scene>);
   return label;
+}
+
+void draw_row(App& app, const Slot& slot) {
+  if (!slot.path.ends_with(".tessellation")) return parameter(app, slot);
+  const std::size_t object = std::size_t(std::atoi(index_in(slot.path).c_str()));
+  if (object < app.scene.objects.size()) tessellation(app, slot, app.scene.objects[object]);
 }
 
 }  // namespace
@@ -176,7 +188,7 @@ bool draw_offered_parameters(App& app) {
       const bool says_it_itself = slot.about->symbol.empty() && slot.about->label.in(app.language()) == group;
       if (group != last && !says_it_itself) heading(app, group);
       last = group;
-      parameter(app, slot);
+      draw_row(app, slot);
     }
   ImGui::PopStyleVar();
   return true;

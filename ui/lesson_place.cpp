@@ -78,8 +78,9 @@ float draw_lesson_place(App& app, ImVec2 at, float room) {
   const float gap = gap_of(look), side = look.px(32), arrows = arrows_of(look);
   if (pieces.empty() || room < arrows + look.px(60)) return 0;
   // What does not fit goes: the lesson's title, then the step's.
+  if (app.presenter.on) pieces.pop_back();  // it stands above the text
   if (width_of(app, pieces) + arrows > room) pieces.erase(pieces.begin());
-  if (width_of(app, pieces) + arrows > room) pieces.pop_back();
+  if (pieces.size() > 1 && width_of(app, pieces) + arrows > room) pieces.pop_back();
   const float taken = width_of(app, pieces), baseline = at.y + look.px(21.5f);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   float x = at.x;

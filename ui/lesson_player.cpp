@@ -223,6 +223,8 @@ void LessonPlayer::apply(App& app, const Scene& scene, const LessonView& view) {
   s.vertex_normals = view.vertex_normals, s.face_normals = view.face_normals;
   choose_techniques(app);
   app.isolated = {quantity_of(view.term), view.light};
+  app.peek.reset();
+  app.probing = {};
 }
 
 void LessonPlayer::watch(App& app) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "scene/shape.h"
 #include "ui/app.h"
 #include "ui/row.h"
 #include "ui/widgets.h"
@@ -165,6 +166,24 @@ void parameter(App& app, const Slot& slot, bool labelled) {
   }
   ImGui::PopStyleVar();
   ImGui::PopID();
+}
+
+void tessellation(App& app, const Slot& slot, const Object& object) {
+  const Shape* shape = find_shape(object.model);
+  if (!shape || shape->max_level <= shape->min_level) return;
+  About about = *slot.about;
+  about.slider = Range{double(shape->min_level), double(shape->max_level)};
+  about.scale = shape->min_level > 0 && shape->max_level > 20 * shape->min_level ? Scale::logarithmic : Scale::linear;
+  Slot narrow = slot;
+  narrow.about = &about;
+  int& level = **std::get_if<int*>(&narrow.value);
+  const bool own = level == 0;  // show what 0 stands for
+  if (own) level = shape->level;
+  const int before = level;
+  int initial = before;
+  narrow.initial = own ? SlotValue(&initial) : slot.initial;
+  parameter(app, narrow);
+  if (own && level == before) level = 0;
 }
 
 void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names,

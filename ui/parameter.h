@@ -2,6 +2,7 @@
 // shows comes from the description; everything it stores goes through assign().
 #pragma once
 #include "params/slots.h"
+#include "scene/scene.h"
 
 namespace cg {
 
@@ -11,6 +12,9 @@ struct App;
 // colour as brightness and swatch, an enumeration as buttons or a list, a bool as a switch. Without a symbol its label
 // stands above it; `labelled` false leaves that of a position out, where a heading has said it.
 void parameter(App& app, const Slot& slot, bool labelled = true);
+
+// The tessellation of `object`: the same row, with the ends that its shape has; nothing where there is no choice.
+void tessellation(App& app, const Slot& slot, const Object& object);
 
 // The same for the slots whose path is `prefix` + one of `names`, in the order of `names`.
 void parameters(App& app, const Slots& all, std::string_view prefix, std::initializer_list<std::string_view> names,

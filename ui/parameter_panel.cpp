@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "scene/named_materials.h"
-#include "scene/shape.h"
 #include "ui/app.h"
 #include "ui/formula.h"
 #include "ui/layout.h"
@@ -122,28 +121,11 @@ void draw_material_details(App& app, const Slots& all) {
   if (app.scene.shading.color_material != ColorMaterial::off) parameters(app, all, material_prefix(app), {"color"});
 }
 
-// The level of a shape: the same slot, but with the ends that this shape has.
 void draw_tessellation(App& app, const Slots& all) {
   const Object* o = chosen_object(app);
-  const Shape* shape = o ? find_shape(o->model) : nullptr;
-  if (!shape || shape->max_level <= shape->min_level) return;
   const std::string path = "objects." + std::to_string(app.object) + ".tessellation";
-  for (const Slot& slot : all) {
-    if (slot.path != path) continue;
-    About about = *slot.about;
-    about.slider = Range{double(shape->min_level), double(shape->max_level)};
-    about.scale = shape->min_level > 0 && shape->max_level > 20 * shape->min_level ? Scale::logarithmic : Scale::linear;
-    Slot narrow = slot;
-    narrow.about = &about;
-    int& level = **std::get_if<int*>(&narrow.value);
-    const bool own = level == 0;  // show what 0 stands for
-    if (own) level = shape->level;
-    const int before = level;
-    int initial = before;
-    narrow.initial = own ? SlotValue(&initial) : slot.initial;
-    parameter(app, narrow);
-    if (own && level == before) level = 0;
-  }
+  for (const Slot& slot : all)
+    if (o && slot.path == path) tessellation(app, slot, *o);
 }
 
 void draw_objects(App& app, const Slots& all) {

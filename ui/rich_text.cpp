@@ -147,7 +147,7 @@ void draw_line(App& app, const RichStyle& style, std::span<const Atom> line, ImV
 
 RichStyle body_style(const App& app) {
   const Fonts& f = app.look.fonts;
-  return {f.text, f.bold, f.mono, {f.math, f.math_sub}, app.look.px(27), app.look.palette.text};
+  return {f.text, f.bold, f.mono, {f.math, f.math_sub}, app.look.px(26), app.look.palette.text};
 }
 
 RichStyle formula_style(const App& app) {

@@ -123,6 +123,31 @@ TEST_F(Window, WhatALecturerDoesToAScene) {
   window->wait("the moved light", [](const Tree& s) { return at(s, "scene.lights.0.position").list() != nullptr; });
 }
 
+TEST_F(Window, TheLecturesLogBecomesALesson) {
+  open(1280, 720, {"torus"});
+  const auto number = window->place("code:lights.0.position");
+  window->drag(0.5 * (number[0] + number[2]), 0.5 * (number[1] + number[3]), 60, 0);
+  window->wait("a moved light", [&](const Tree& s) { return at(s, "scene.lights.0.position").list() != nullptr; });
+  const Tree moved = at(window->state(), "scene");
+  window->key("2");  // the wipe
+  wait_is("settings.view", "wipe");
+  window->key("s");
+  window->click("button:Save as a lesson…");
+  screenshot("lessons-en");
+  window->click("button:Save");
+  const auto own = [&] { return lesson_folders(home / "data/shadebench/lessons"); };
+  window->wait("the lesson's folder", [&](const Tree&) { return own().size() == 1; });
+  const Lesson lesson = read_lesson(own()[0]);
+  ASSERT_EQ(lesson.steps.size(), 3u);
+  EXPECT_EQ(preset_of(scene_of_step(lesson, 1)), moved);
+  EXPECT_EQ(lesson.steps[1].offered, (std::vector<std::string>{"lights.0.position"}));
+  EXPECT_EQ(lesson.steps[2].view.view, ViewMode::wipe);
+  window->wait("it in the list", [&](const Tree& s) {
+    const Tree::List* list = at(s, "lesson.list").list();
+    return list && list->back() == Tree(lesson.id);
+  });
+}
+
 TEST_F(Window, AChallengeIsWonWithTheTargetsNumbers) {
   open(1280, 720, {"torus"});
   const Tree beginning = at(window->state(), "scene");
