@@ -108,7 +108,7 @@ std::optional<std::string> type_value(App& app, ImFont* font, const std::string&
   ImGui::SetCursorScreenPos(at);
   ImGui::SetNextItemWidth(width);
   ImGui::PushFont(font);
-  if (e.fresh) ImGui::SetKeyboardFocusHere();
+  if (e.fresh) ImGui::SetKeyboardFocusHere(), app.animating = true;  // which the field gets in the next frame
   const bool entered =
       ImGui::InputText("##type", &e.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopFont();

@@ -9,6 +9,8 @@
 #include "math/transform.h"
 #include "ui/app.h"
 #include "ui/formula.h"
+#include "ui/formula_words.h"
+#include "ui/rich_text.h"
 
 namespace cg {
 namespace {
@@ -212,9 +214,15 @@ bool wants_tooltip(App& app) {
 
 void tooltip(App& app, std::string_view title, std::string_view help, std::string_view small_print) {
   Look& look = app.look;
+  const std::vector<TextRun> runs = formula_runs(help);
+  const float most = look.px(330);
+  // Formulas are typeset, and long Japanese is broken where it may be: as wide as the room there is.
+  const bool set = text_width(look.fonts.text, noted(app, help)) > most ||
+                   std::any_of(runs.begin(), runs.end(), [](const TextRun& r) { return r.kind == TextRun::formula; });
+  if (set) ImGui::SetNextWindowSize({look.px(24) + most, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {look.px(12), look.px(9)});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(look.px(330));
+  ImGui::PushTextWrapPos(most);
   auto line = [&](ImFont* font, ImU32 colour, std::string_view text) {
     if (text.empty()) return;
     ImGui::PushFont(font);
@@ -224,7 +232,10 @@ void tooltip(App& app, std::string_view title, std::string_view help, std::strin
     ImGui::PopFont();
   };
   line(look.fonts.bold, look.palette.text, title);
-  line(look.fonts.text, look.palette.text, help);
+  if (set)
+    set_runs(app, runs, body_style(app));
+  else
+    line(look.fonts.text, look.palette.text, help);
   line(look.fonts.small_mono, look.palette.dim, small_print);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
