@@ -2,6 +2,8 @@
 
 #include "ui/app.h"
 #include "ui/formula.h"
+#include "ui/formula_words.h"
+#include "ui/rich_text.h"
 
 namespace cg {
 
@@ -17,13 +19,11 @@ void pair_line(App& app, std::string_view left, std::string_view right, ImU32 co
 }
 
 void small_text(App& app, std::string_view text, ImU32 colour) {
-  ImGui::PushFont(app.look.fonts.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::PushTextWrapPos(0);
-  write(app, text);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
+  const Look& look = app.look;
+  const Fonts& f = look.fonts;
+  const float scale = f.small->FontSize / f.text->FontSize;
+  const RichStyle style{f.small, f.bold, f.small_mono, {f.math, f.math_sub, scale, scale}, look.px(18), colour};
+  set_runs(app, formula_runs(text), style);
 }
 
 }  // namespace cg
