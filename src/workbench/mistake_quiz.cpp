@@ -24,6 +24,20 @@ void light_from_behind(Scene& scene) {
   light.position = c.target + 2.0 * distance * (side + c.up - to_eye / distance);
 }
 
+// A copy behind the only object that there is, drawn after it: of one alone that is convex, nothing hidden is drawn
+// last.
+void let_depth_show(Scene& scene) {
+  const auto visible = [](const Object& o) { return o.visible; };
+  const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), visible);
+  if (std::count_if(scene.objects.begin(), scene.objects.end(), visible) != 1) return;
+  const glm::dvec3 away = scene.camera.target - scene.camera.position;
+  const double distance = glm::length(away);
+  if (!(distance > 0) || distance > 1e6) return;
+  Object behind = *first;
+  behind.transform.translate += 0.3 * away + 0.1 * glm::cross(away, scene.camera.up);
+  scene.objects.push_back(std::move(behind));
+}
+
 void let_gate_show(Scene& scene) {
   for (Material* m : {&scene.material}) m->n = std::min(m->n, 8.0), m->k_s = glm::max(m->k_s, glm::dvec3(0.5));
   for (Object& o : scene.objects)
@@ -64,6 +78,8 @@ void let_it_show(Scene& scene, std::string_view mistake) {
       for (Object& o : scene.objects) o.transform.scale = glm::dvec3(0.5);
   } else if (mistake == "no_color_material") {
     let_color_show(scene);
+  } else if (mistake == "no_depth_test") {
+    let_depth_show(scene);
   } else if (mistake == "no_gate") {
     let_gate_show(scene);
   } else if (mistake == "directional_w" || mistake == "long_light_vector" || mistake == "light_before_view") {

@@ -11,7 +11,8 @@
 namespace cg {
 
 // Changes the scene where the mistake would do nothing in it, as little as needed: an object is scaled for a missing
-// GL_NORMALIZE, a light becomes a point light for a wrong w. `mistake` is the name of a member of Mistakes.
+// GL_NORMALIZE, a light becomes a point light for a wrong w, a copy stands behind a single object for the depth test.
+// `mistake` is the name of a member of Mistakes.
 void let_it_show(Scene& scene, std::string_view mistake);
 
 // The scene's mistakes by name, and one of them switched. Asserts that there is one of this name.
