@@ -71,6 +71,21 @@ void zoom(App& app, double factor) {
   app.settings.zoom = std::clamp(next, 0.5, 3.0);
 }
 
+// A step on or back. In the presentation a long text is turned first, so that a clicker reaches all of it.
+void go_on(App& app, int by) {
+  LessonPlayer& player = lessons_of(app);
+  Reading& reading = player.reading;
+  stop_sweep(app);
+  if (!app.presenter.on) {
+    app.settings.side = Side::lesson;
+    return player.go(by);
+  }
+  if (by > 0 ? reading.at < reading.most - 1 : reading.at > 1)
+    reading.turn = by;
+  else
+    player.go(by);
+}
+
 // What is on top goes first: the list of keys, a slider that plays, the probe.
 void escape(App& app) {
   if (std::exchange(app.help, false)) return;
@@ -156,9 +171,7 @@ void perform(App& app, Do what) {
       break;
     case Do::next_step:
     case Do::previous_step:
-      stop_sweep(app);
-      lessons_of(app).go(what == Do::next_step ? 1 : -1);
-      if (app.settings.side != Side::lesson && !app.presenter.on) app.settings.side = Side::lesson;
+      go_on(app, what == Do::next_step ? 1 : -1);
       break;
     case Do::play:
       toggle_sweep(app);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/app.h"
 #include "ui/challenge_game.h"
@@ -116,28 +117,34 @@ void draw_differences(App& app, const ChallengeGame& game) {
   ImGui::PopFont();
 }
 
+// Buttons in as many lines as they need.
+class ButtonFlow {
+ public:
+  explicit ButtonFlow(App& app) : app_(app), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+  bool operator()(const char* id, const Words& label, const Words& tip = {}, bool chosen = false) {
+    const std::string_view text = noted(app_, label);
+    const float gap = app_.look.px(6);
+    if (std::exchange(any_, true) && ImGui::GetItemRectMax().x + gap + button_width(app_, text) <= right_)
+      ImGui::SameLine(0, gap);
+    return button(app_, id, {.label = text, .tip = tip, .chosen = chosen});
+  }
+
+ private:
+  App& app_;
+  float right_;
+  bool any_ = false;
+};
+
 void draw_buttons(App& app, ChallengeGame& game) {
-  const Language l = app.language();
-  const float gap = app.look.px(6);
+  ButtonFlow flow(app);
   if (!game.solved() && !game.given_up()) {
-    if (button(app, "hint",
-               {.label = Words{"Hint", "ヒント"}.in(l),
-                .tip = {"Which term is furthest off", "いちばん違う項を示す"},
-                .chosen = game.hint}))
+    if (flow("hint", {"Hint", "ヒント"}, {"Which term is furthest off", "いちばん違う項を示す"}, game.hint))
       game.hint = !game.hint;
-    ImGui::SameLine(0, gap);
-    if (button(app, "give up",
-               {.label = Words{"Give up", "あきらめる"}.in(l),
-                .tip = {"Shows which parameters differ", "違うパラメータを見せる"}}))
+    if (flow("give up", {"Give up", "あきらめる"}, {"Shows which parameters differ", "違うパラメータを見せる"}))
       game.give_up(app);
-    ImGui::SameLine(0, gap);
   }
-  if (game.seed() > 0) {
-    if (button(app, "next", {.label = Words{"A new one", "次の問題"}.in(l)}))
-      game.make_up(app, game.seed() + 1, game.level());
-    ImGui::SameLine(0, gap);
-  }
-  if (button(app, "end", {.label = Words{"End", "終わる"}.in(l), .quiet = true})) game.end();
+  if (game.seed() > 0 && flow("next", {"A new one", "次の問題"})) game.make_up(app, game.seed() + 1, game.level());
+  if (flow("end", {"End", "終わる"})) game.end();
 }
 
 }  // namespace

@@ -134,6 +134,7 @@ void draw_areas(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   const float side_h = below < size.x ? size.y - bar - 1 : middle_h - 1;
   area(app, "side", {size.x - right, bar + 1}, {right, side_h}, p.panel, {look.px(14), look.px(10)}, true,
        [&] { draw_side_panel(app); });
+  draw_recording_sign(app, {left + 0.5f * middle_w, bar + look.px(52)});
   draw_below(app, {0, bar + middle_h + 1}, {below, strip - 1});
 
   splitter(app, "left edge", {left - gap * 0.5f, bar}, {gap, middle_h}, true, s.left_width, 1,
@@ -168,7 +169,6 @@ void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   draw_help(app);
   ImGui::End();
   draw_toasts(app, size);
-  if (!app.presenter.on || !app.presenter.black) draw_recording_sign(app, size.x);
   if (app.lit != app.lit_next) app.animating = true;  // one more frame shows it
 }
 

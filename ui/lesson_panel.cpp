@@ -140,6 +140,16 @@ std::string group_of(const std::string& path, Language language) {
   return label;
 }
 
+// In the text's window.
+void turn_page(App& app, Reading& reading) {
+  reading.at = ImGui::GetScrollY(), reading.most = ImGui::GetScrollMaxY(), reading.page = ImGui::GetWindowHeight();
+  if (reading.turn == 0) return;
+  const float step = std::max(reading.page - app.look.px(40), app.look.px(40));  // a line stays in sight
+  ImGui::SetScrollY(std::clamp(reading.at + float(reading.turn) * step, 0.0f, reading.most));
+  reading.turn = 0;
+  app.animating = true;
+}
+
 void draw_row(App& app, const Slot& slot) {
   if (!slot.path.ends_with(".tessellation")) return parameter(app, slot);
   const std::size_t object = std::size_t(std::atoi(index_in(slot.path).c_str()));
@@ -159,6 +169,7 @@ void draw_lesson_step(App& app, bool presenting) {
   const std::string id = "text of " + player.place();  // each step is read from its beginning
   ImGui::BeginChild(id.c_str(), {0, std::max(1.0f, room - below)});
   draw_text(app, player, presenting);
+  if (presenting) turn_page(app, player.reading);
   ImGui::EndChild();
   if (!offered) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -151,6 +151,7 @@ std::optional<std::string> LessonPlayer::number(std::string_view name, const Sce
 
 // The step that step_ says; its scene is made on the opener's thread.
 void LessonPlayer::enter_step(bool enter) {
+  reading = {};
   enter_ = enter;
   start_.reset();
   measured_.reset();

@@ -33,6 +33,12 @@ struct Answer {
   bool revealed = false;
 };
 
+// How much of the step's text is seen.
+struct Reading {
+  float at = 0, most = 0, page = 0;  // pixels: where it is scrolled to, how far it can be, what is seen at once
+  int turn = 0;                      // pages to be turned in the next frame
+};
+
 // A task of the step, as the scene stands.
 struct TaskState {
   std::optional<TaskResult> result;
@@ -77,6 +83,7 @@ class LessonPlayer {
   // The step's text with its numbers, for the scene as it stands.
   std::optional<std::string> number(std::string_view name, const Scene& scene) const;
   const TaskState& task(const std::string& id) { return tasks_[id]; }
+  Reading reading;  // of the presentation
   Answer& answer(std::size_t question) { return answers_[{place(), question}]; }
 
   // Once a frame: takes what is new, and gives work away.

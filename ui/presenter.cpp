@@ -11,6 +11,7 @@
 #include "ui/layout.h"
 #include "ui/lesson_panel.h"
 #include "ui/lesson_player.h"
+#include "ui/recording.h"
 
 namespace cg {
 namespace {
@@ -125,8 +126,9 @@ void draw_presentation(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     middle(a, {std::max(room.x, 0.0f), std::max(room.y, 0.0f)});
   });
-  area(app, "presented lesson", {size.x - text, 0}, {text, size.y - strip}, palette.panel, margin, draw_lesson);
-  area(app, "presented equation", {0, size.y - strip}, {size.x, strip}, palette.panel, margin, draw_strip);
+  area(app, "presented lesson", {size.x - text, 0}, {text, size.y}, palette.panel, margin, draw_lesson);
+  area(app, "presented equation", {0, size.y - strip}, {size.x - text, strip}, palette.panel, margin, draw_strip);
+  draw_recording_sign(app, {0.5f * (size.x - text), app.look.px(14)});
 }
 
 }  // namespace cg

@@ -130,13 +130,13 @@ void start_recording(App& app, const fs::path& path) {
   }
 }
 
-void draw_recording_sign(App& app, float width) {
+void draw_recording_sign(App& app, ImVec2 top) {
   Recorder& recorder = recorder_of(app);
   if (!recorder.recording()) return;
   Look& look = app.look;
   const std::string text = clock_text(recorder.seconds(app));
   const float h = look.px(30), w = text_width(look.fonts.mono, text) + look.px(46);
-  ImGui::SetNextWindowPos({std::floor(0.5f * (width - w)), look.px(9)});
+  ImGui::SetNextWindowPos({std::floor(top.x - 0.5f * w), std::floor(top.y)});
   ImGui::SetNextWindowSize({w, h});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette.raised);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, h * 0.5f);

@@ -59,8 +59,7 @@ void start_recording(App& app, const std::filesystem::path& path);
 // The same with a name of its own in the current folder; or ends the one that goes on.
 void toggle_recording(App& app);
 
-// A red dot with the time while it records, in the middle of the upper edge of a window `width` pixels wide; a click
-// ends it.
-void draw_recording_sign(App& app, float width);
+// A red dot with the time while it records, `at` the middle of its upper edge; a click ends it.
+void draw_recording_sign(App& app, ImVec2 at);
 
 }  // namespace cg

@@ -56,7 +56,10 @@ std::vector<TextPiece> formula_pieces(std::string_view markup) {
   return out;
 }
 
-std::vector<Atom> atoms_of(App& app, std::span<const TextRun> runs, const RichStyle& style) {
+// A formula of less than this share of the line is not broken.
+constexpr float short_formula = 0.6f;
+
+std::vector<Atom> atoms_of(App& app, std::span<const TextRun> runs, const RichStyle& style, float room) {
   std::vector<Atom> out;
   char32_t before = 0;
   bool space = false;
@@ -65,9 +68,11 @@ std::vector<Atom> atoms_of(App& app, std::span<const TextRun> runs, const RichSt
     const bool formula = run.kind == TextRun::formula;
     const std::vector<TextPiece> pieces = formula ? formula_pieces(run.text) : pieces_of(run.text, before);
     const float blank = width_of(style, formula ? run : TextRun{}, " ");
+    const bool whole = formula && typeset_width(style.math, run.text) < short_formula * room;
     bool first = true;
     for (const TextPiece& piece : pieces) {
-      Atom atom{&run, piece.text, width_of(style, run, piece.text), piece.space_before ? blank : 0, piece.may_break};
+      Atom atom{&run, piece.text, width_of(style, run, piece.text), piece.space_before ? blank : 0,
+                piece.may_break && !whole};
       if (first && space) atom.space = width_of(style, TextRun{}, " "), atom.may_break = true;
       // A formula or code in Japanese text has no space before it, and may begin a line as a letter would.
       if (first && !space && formula) atom.may_break = may_break_between(before, 'x');
@@ -102,6 +107,22 @@ float draw_formula(App& app, const RichStyle& style, ImVec2 at, std::string_view
   return at.x - start;
 }
 
+// The Japanese face has no bold cut: what is not ASCII is set twice, half a pixel apart.
+void set_strong(const App& app, ImFont* font, ImVec2 at, ImU32 colour, std::string_view text) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const auto ascii = [](char c) { return static_cast<signed char>(c) >= 0; };
+  while (!text.empty()) {
+    const bool plain = ascii(text[0]);
+    std::size_t end = 1;
+    while (end < text.size() && ascii(text[end]) == plain) ++end;
+    const std::string_view part = text.substr(0, end);
+    const float width = set_text(draw, font, at, colour, part);
+    if (!plain) set_text(draw, font, {at.x + std::max(1.0f, app.look.scale * 0.6f), at.y}, colour, part);
+    at.x += width;
+    text.remove_prefix(end);
+  }
+}
+
 void draw_text(App& app, const RichStyle& style, const TextRun& run, ImVec2 at, float width, std::string_view text) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const Look& look = app.look;
@@ -110,10 +131,10 @@ void draw_text(App& app, const RichStyle& style, const TextRun& run, ImVec2 at, 
     draw->AddRectFilled({at.x - look.px(2), at.y - font->Ascent - look.px(1)},
                         {at.x + width + look.px(2), at.y - font->Descent + look.px(1)}, look.palette.raised,
                         look.px(3));
-  set_text(draw, font, at, style.colour, text);
-  // The Japanese face has no bold cut: set twice, half a pixel apart.
-  if (run.kind == TextRun::strong && !text.empty() && static_cast<signed char>(text[0]) < 0)
-    set_text(draw, font, {at.x + std::max(1.0f, look.scale * 0.6f), at.y}, style.colour, text);
+  if (run.kind == TextRun::strong)
+    set_strong(app, font, at, style.colour, text);
+  else
+    set_text(draw, font, at, style.colour, text);
   if (run.kind == TextRun::emphasis) {
     const float y = std::floor(at.y + look.px(3)), thick = std::max(1.0f, look.px(1));
     draw->AddRectFilled({at.x, y}, {at.x + width, y + thick}, faded(style.colour, 0.6f));
@@ -158,9 +179,9 @@ RichStyle formula_style(const App& app) {
 }
 
 void set_runs(App& app, std::span<const TextRun> runs, const RichStyle& style, float indent) {
-  const std::vector<Atom> atoms = atoms_of(app, runs, style);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = std::max(ImGui::GetContentRegionAvail().x - indent, 1.0f);
+  const std::vector<Atom> atoms = atoms_of(app, runs, style, room);
   Quantity carried = Quantity::none;
   float y = at.y, width = 0;
   std::size_t begin = 0, break_at = 0;

@@ -15,7 +15,7 @@ constexpr std::size_t most_offered = 8, most_lines_told = 6;
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (std::string_view("\\`*_{}[]<>#+-.!|$").find(c) != std::string_view::npos) out += '\\';
+    if (std::string_view("\\`*_{}[]<>#|$").find(c) != std::string_view::npos) out += '\\';
     out += c;
   }
   return out;
@@ -33,6 +33,11 @@ std::string value_text(const Slot& slot, Language language) {
     return std::string(c->names[std::size_t(c->get(c->object))].label.in(language));
   const Tree tree = slot_tree(slot);
   if (const std::string* s = tree.string()) return *s;
+  if (const Tree::List* list = tree.list()) {
+    std::string text;
+    for (const Tree& item : *list) text += (text.empty() ? "" : ", ") + to_json(item, 0);
+    return text;
+  }
   if (const bool* b = tree.boolean())
     return std::string((*b ? Words{"on", "オン"} : Words{"off", "オフ"}).in(language));
   return to_json(tree, 0);
