@@ -8,11 +8,10 @@
 #include <optional>
 #include <thread>
 
+#include "image/display.h"
 #include "image/image_program.h"
 #include "params/input_error.h"
 #include "ui/settings.h"
-
-#include "image/display.h"
 
 namespace cg {
 
