@@ -3,17 +3,42 @@
 #include <cassert>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <new>
 #include <vector>
 
 namespace cg {
 
+// Leaves new pixels as the memory was, where nothing is said about them.
+template <class Pixel>
+struct PixelAllocator : std::allocator<Pixel> {
+  template <class Other>
+  struct rebind {
+    using other = PixelAllocator<Other>;
+  };
+  void construct(Pixel* place) { ::new (static_cast<void*>(place)) Pixel; }
+  template <class... Value>
+  void construct(Pixel* place, Value&&... value) {
+    ::new (static_cast<void*>(place)) Pixel(std::forward<Value>(value)...);
+  }
+};
+
 template <class Pixel>
 class Image {
  public:
+  using Pixels = std::vector<Pixel, PixelAllocator<Pixel>>;
   Image() = default;
   // width, height >= 0.
   Image(int width, int height, Pixel fill = {})
       : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height), fill) {}
+
+  // Pixels that mean nothing yet: for who writes them all.
+  static Image unwritten(int width, int height) {
+    Image image;
+    image.width_ = width, image.height_ = height;
+    image.pixels_.resize(std::size_t(width) * std::size_t(height));
+    return image;
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -24,8 +49,8 @@ class Image {
   const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
   Pixel* row(int y) { return pixels_.data() + std::size_t(y) * std::size_t(width_); }
   const Pixel* row(int y) const { return pixels_.data() + std::size_t(y) * std::size_t(width_); }
-  std::vector<Pixel>& pixels() { return pixels_; }
-  const std::vector<Pixel>& pixels() const { return pixels_; }
+  Pixels& pixels() { return pixels_; }
+  const Pixels& pixels() const { return pixels_; }
 
   friend bool operator==(const Image&, const Image&) = default;
 
@@ -35,7 +60,7 @@ class Image {
     return std::size_t(y) * std::size_t(width_) + std::size_t(x);
   }
   int width_ = 0, height_ = 0;
-  std::vector<Pixel> pixels_;
+  Pixels pixels_;
 };
 
 using ColourImage = Image<glm::vec3>;  // linear RGB

@@ -61,12 +61,19 @@ void refuse_beyond_limits(const View& view) {
                    Words{"at most as many pixels as 16384x16384", "16384x16384 の画素数以下にしてください"});
 }
 
-Frame empty_frame(const Scene& scene, const Plan& plan, const View& view) {
+// A frame whose layers have the picture's size. Where something is drawn, shade_pixels() writes all of the first three.
+Frame make_frame(const Scene& scene, const Plan& plan, const View& view) {
   Frame f;
   const int w = std::max(view.width, 0), h = std::max(view.height, 0);
-  f.colour = ColourImage(w, h, glm::vec3(scene.display.background));
-  f.depth = Image<float>(w, h, 1.0f);
-  f.covered = Image<std::uint8_t>(w, h);
+  if (plan.runs("transform")) {
+    f.colour = ColourImage::unwritten(w, h);
+    f.depth = Image<float>::unwritten(w, h);
+    f.covered = Image<std::uint8_t>::unwritten(w, h);
+  } else {
+    f.colour = ColourImage(w, h, glm::vec3(scene.display.background));
+    f.depth = Image<float>(w, h, 1.0f);
+    f.covered = Image<std::uint8_t>(w, h);
+  }
   if (plan.runs("ids")) f.object = f.triangle = Image<std::int32_t>(w, h, nothing);
   if (plan.runs("normals")) f.normal = Image<glm::vec3>(w, h, glm::vec3(0));
   return f;
@@ -92,7 +99,7 @@ void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing,
 template <class Real>
 Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& progress, Buffers& buffers) {
   Workers workers(view.threads, progress);
-  Frame frame = empty_frame(scene, plan, view);
+  Frame frame = make_frame(scene, plan, view);
   if (frame.colour.empty() || !plan.runs("transform")) return frame;
   Drawing& drawing = buffers.drawing;
   const Viewport viewport(view.width, view.height);
