@@ -72,12 +72,31 @@ struct Told {
   std::vector<std::string> lines;
 };
 
+// "Shininess: 32 → 10".
+std::string change_text(const std::string& label, const Slot& from, const Slot& to, Language language) {
+  return plain(label) + std::string(Words{": ", "："}.in(language)) + plain(value_text(from, language)) + " → " +
+         plain(value_text(to, language));
+}
+
+// How it is looked at.
+void tell_view(LessonView from, LessonView to, Language language, Told& out) {
+  const Slots before = slots(from), after = slots(to);
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (slot_tree(before[i]) != slot_tree(after[i]))
+      out.lines.push_back(change_text(std::string(after[i].about->label.in(language)), before[i], after[i], language));
+}
+
+std::string item_text(const std::string& path, const std::string& label, const Slots& after, Language language) {
+  const std::string below = path + ".";
+  const bool added = std::any_of(after.begin(), after.end(), [&](const Slot& s) { return s.path.starts_with(below); });
+  return plain(label) + std::string((added ? Words{" added", "を加える"} : Words{" removed", "を消す"}).in(language));
+}
+
 Told told(LectureEntry from, LectureEntry to, Language language) {
-  const std::vector<std::string> paths = changed_paths(from, to);
   const Slots before = slots(from.scene), after = slots(to.scene);
   Told out;
   bool camera = false;
-  for (const std::string& path : paths) {
+  for (const std::string& path : changed_paths(from, to)) {
     if (path.starts_with("camera.")) {
       camera = true;
       continue;
@@ -85,15 +104,10 @@ Told told(LectureEntry from, LectureEntry to, Language language) {
     const std::string label = label_of(path, before, after, language);
     if (out.title.empty()) out.title = label;
     const Slot *a = find_path(before, path), *b = find_path(after, path);
-    std::string line = plain(label);
-    if (a && b)
-      line += Words{": ", "："}.in(language),
-          line += plain(value_text(*a, language)) + " → " + plain(value_text(*b, language));
-    else if (path != "view")
-      line += std::any_of(after.begin(), after.end(), [&](const Slot& s) { return s.path.starts_with(path + "."); })
-                  ? Words{" added", "を加える"}.in(language)
-                  : Words{" removed", "を消す"}.in(language);
-    out.lines.push_back(std::move(line));
+    if (path == "view")
+      tell_view(from.view, to.view, language, out);
+    else
+      out.lines.push_back(a && b ? change_text(label, *a, *b, language) : item_text(path, label, after, language));
   }
   if (camera) {
     const std::string moved(Words{"The camera moves", "カメラを動かす"}.in(language));

@@ -143,6 +143,27 @@ TEST_F(LectureLogTest, AStepShowsTheLinesThatChanged) {
   }
 }
 
+TEST_F(LectureLogTest, AStepSaysWhatChangedInWords) {
+  note(0);
+  view.view = ViewMode::wipe;
+  note(10);
+  scene.lights.push_back({});
+  note(20);
+  scene.material.k_d = {1, 0.5, 0};
+  note(30);
+  scene.camera.position.x = 1;
+  note(40);
+  save_lecture(log.entries(), folder, {"Lecture", "講義"});
+  const Lesson lesson = read_lesson(folder);
+  const auto line = [&](std::size_t step, Language l) { return lesson.steps[step].in(l).blocks[0].runs[0].text; };
+  EXPECT_EQ(line(1, Language::english), "View: Two → Wipe");
+  EXPECT_EQ(line(1, Language::japanese), "見方：並べる → ワイプ");
+  EXPECT_EQ(line(2, Language::english), "LIGHT1 added");
+  EXPECT_EQ(line(3, Language::english), "Diffuse reflectance: 0.8, 0.8, 0.8 → 1, 0.5, 0");
+  EXPECT_EQ(line(4, Language::english), "The camera moves");
+  EXPECT_EQ(lesson.steps[3].in(Language::japanese).title, "0:30 拡散反射率");
+}
+
 TEST_F(LectureLogTest, AFolderWithSomethingElseIsLeftAlone) {
   note(0);
   scene.material.n = 10;
