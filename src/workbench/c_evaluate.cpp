@@ -197,10 +197,12 @@ CValue CRun::evaluate_call(const CExpression& e) {
   if (c_math(callee.name, arguments.data(), arguments.size(), reason, result)) return result;
   if (!host_->only_reads(callee.name))
     for (const CValue& a : arguments)
-      if (a.is_address())
-        memory.forget(a.address.variable,
-                      phrase({"{0} may change {1}", "{0}が{1}を変えうる"},
-                             {in_quotes(callee.name), in_quotes(memory.variable(a.address.variable).name)}));
+      if (a.is_address()) {
+        const CVariable& variable = memory.variable(a.address.variable);
+        charge(steps_of_a_complaint + variable.cells.size() / cells_forgotten_in_a_step);
+        memory.forget(a.address.variable, phrase({"{0} may change {1}", "{0}が{1}を変えうる"},
+                                                 {in_quotes(callee.name), in_quotes(variable.name)}));
+      }
   return host_->call(*this, callee.name, arguments, e.line);
 }
 

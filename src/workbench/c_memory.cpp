@@ -1,5 +1,7 @@
 #include "workbench/c_memory.h"
 
+#include "scene/text_scanner.h"
+
 namespace cg {
 
 int CMemory::reason(const Text& text) {
@@ -11,6 +13,15 @@ int CMemory::reason(const Text& text) {
 const Text& CMemory::reason_text(int reason) const {
   static const Text none{"its value is not known", "値が分からない"};
   return reason >= 0 ? reasons_[std::size_t(reason)] : none;
+}
+
+CValue CMemory::unknown_result(std::string_view function) {
+  const auto [at, added] = result_reasons_.try_emplace(function, -1);
+  if (added)
+    at->second = reason(
+        phrase({"the result of {0} is known only to the running program", "{0} の結果は実行しなければ分からない"},
+               {{readable(function), readable(function)}}));
+  return {CValue::unknown, false, at->second, 0, {}, {}};
 }
 
 int CMemory::declare(std::string_view name, bool integer, std::vector<std::size_t> lengths, const CValue& value) {

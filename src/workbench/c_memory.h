@@ -25,6 +25,9 @@ class CMemory {
   const Text& reason_text(int reason) const;
   CValue unknown(const Text& why) { return {CValue::unknown, false, reason(why), 0, {}, {}}; }
 
+  // What a function gives that is not followed. `function`: of the program's text, which outlives this.
+  CValue unknown_result(std::string_view function);
+
   // A new variable in the innermost block; all cells have `value`. -1 where it would be too large.
   int declare(std::string_view name, bool integer, std::vector<std::size_t> lengths, const CValue& value);
   // The name stands for that variable in the innermost block (static).
@@ -63,6 +66,7 @@ class CMemory {
   std::size_t cells_ = 0;
   std::vector<Text> reasons_;
   std::map<std::string, int> reason_index_;
+  std::map<std::string_view, int> result_reasons_;  // by function
 };
 
 }  // namespace cg

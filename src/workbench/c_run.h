@@ -44,7 +44,12 @@ class CRun {
   bool stopped() const { return stopped_; }
   void go_on() { stopped_ = false; }
 
-  void complain(long line, Text text) { complaints_->add(line, std::move(text)); }
+  // What a call did took about as long as that many ordinary steps: a loop may make it in each of its turns.
+  void charge(std::size_t steps) { steps_ += long(steps); }
+  void complain(long line, Text text) {
+    charge(steps_of_a_complaint);
+    complaints_->add(line, std::move(text));
+  }
   // A complaint that begins with why the value is not known.
   void complain(long line, const CValue& value, const Words& consequence);
 
@@ -89,6 +94,8 @@ class CRun {
   std::optional<bool> holds(const CExpression& condition, std::initializer_list<const CStatement*> skipped);
   void complain_about(long line, const CValue& condition, const CEffects& effects);
   bool spend(long line);
+
+  static constexpr std::size_t steps_of_a_complaint = 20, cells_forgotten_in_a_step = 16;
 
   const CProgram* program_;
   CHost* host_;

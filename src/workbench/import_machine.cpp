@@ -171,22 +171,18 @@ bool GlMachine::only_reads(std::string_view f) const {
 
 CValue GlMachine::call(CRun& run, std::string_view function, const std::vector<CValue>& arguments, long line) {
   GlCallReader call(run, function, arguments, line);
+  run.charge(state.modelview.size() / 2);  // it may be kept with what is set
   state.any_call = state.any_call || function.starts_with("gl");
   if (function == "glNewList" || function == "glEndList") state.in_list = function == "glNewList";
   if (state.in_list) return run.memory.unknown({"this is in a display list", "ディスプレイリストの中にある"});
   for (const auto read : {read_light_call, read_material_call, read_state_call, read_matrix_call, read_projection_call,
                           read_draw_call, read_glut_call})
-    if (read(state, call))
-      return run.memory.unknown(
-          phrase({"the result of {0} is known only to the running program", "{0} の結果は実行しなければ分からない"},
-                 {code(function)}));
+    if (read(state, call)) return run.memory.unknown_result(function);
   if (function == "exit" || function == "abort") run.stop();
   if (function == "memcpy" && state.own.used) state.own.view = state.own.calls;
-  if (!contains(harmless, function) && !contains(plain_c, function) && function.starts_with("gl"))
+  if (function.starts_with("gl") && !contains(harmless, function) && !contains(plain_c, function))
     call.complain({"{0} is not read", "{0} は読み込めない"}, {code(function)});
-  return run.memory.unknown(
-      phrase({"the result of {0} is known only to the running program", "{0} の結果は実行しなければ分からない"},
-             {code(function)}));
+  return run.memory.unknown_result(function);
 }
 
 // A routine that only gives vertices is a mesh of the program's own: it is not followed.
