@@ -161,6 +161,7 @@ void perform(App& app, Do what) {
     case Do::challenge:
     case Do::plan:
     case Do::mesh:
+      static_assert(int(Do::mesh) - int(Do::lesson) == int(Side::mesh) - int(Side::lesson), "in the same order");
       show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
       break;
     case Do::flip_presets:
@@ -189,7 +190,8 @@ void perform(App& app, Do what) {
 }
 
 void handle_keys(App& app, std::span<const KeyPress> pressed) {
-  if (ImGui::GetIO().WantTextInput) return;
+  // ImGui wants text for a frame longer than the field is there.
+  if (ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive()) return;
   for (const KeyPress& p : pressed) {
     if (presenter_takes(app, p)) continue;
     if (p.key == GLFW_KEY_ESCAPE) escape(app);

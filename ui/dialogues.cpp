@@ -19,15 +19,6 @@ void close(App& app) {
   ImGui::CloseCurrentPopup();
 }
 
-// The path that is typed; true when Enter takes it.
-bool path_field(App& app, const Words& hint) {
-  ImGui::SetNextItemWidth(app.look.px(520));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const std::string shown(noted(app, hint));
-  return ImGui::InputTextWithHint("##path", shown.c_str(), &app.dialogue.text,
-                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-}
-
 // Names as buttons, line by line; the one that was pressed.
 std::string pick_name(App& app, const Words& title, const std::vector<std::pair<std::string, std::string>>& names) {
   if (names.empty()) return {};
@@ -85,6 +76,17 @@ void draw_save(App& app) {
 }
 
 }  // namespace
+
+bool path_field(App& app, const Words& hint, float width) {
+  ImGui::SetNextItemWidth(app.look.px(width));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const std::string shown(noted(app, hint));
+  // The field leaves out what is pressed in the frame in which it becomes active.
+  const bool early = !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  return ImGui::InputTextWithHint("##path", shown.c_str(), &app.dialogue.text,
+                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll) ||
+         early;
+}
 
 void draw_dialogues(App& app) {
   Dialogue& d = app.dialogue;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "ui/app.h"
+#include "ui/layout.h"
 #include "ui/lines.h"
 #include "ui/widgets.h"
 #include "workbench/export.h"
@@ -100,10 +101,7 @@ bool draw_export_dialogue(App& app) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + app.look.px(560));
   write(app, use_of(format));
   ImGui::PopTextWrapPos();
-  ImGui::SetNextItemWidth(app.look.px(560));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputText("##path", &d.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered = path_field(app, Words{}, 560);
   ImGui::Dummy({1, app.look.px(4)});
   if ((button(app, "save", {.label = Words{"Save", "保存"}.in(l), .chosen = true}) || entered) && !d.text.empty()) {
     save(app, format, d.text);

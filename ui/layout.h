@@ -3,6 +3,7 @@
 #pragma once
 #include <imgui.h>
 
+#include "params/words.h"
 #include "ui/pane.h"
 
 namespace cg {
@@ -32,6 +33,9 @@ void draw_mesh_panel(App& app);
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);
 void draw_dialogues(App& app);
+// A dialogue's path, `width` wide at scale 1; true when Enter takes it, in the field or with none at work (a key may
+// come in the frame in which the dialogue opens).
+bool path_field(App& app, const Words& hint, float width = 520);
 bool draw_picture_dialogue(App& app);  // into the popup; true when it is done
 
 }  // namespace cg

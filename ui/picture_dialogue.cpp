@@ -48,11 +48,7 @@ void record(App& app) {
 
 bool draw_picture_dialogue(App& app) {
   const Language l = app.language();
-  ImGui::SetNextItemWidth(app.look.px(520));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputTextWithHint("##path", "picture.png", &app.dialogue.text,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered = path_field(app, {"picture.png", "picture.png"});
   ImGui::Dummy({1, app.look.px(4)});
   int picture = int(app.settings.picture);
   if (choose(app, "picture", names_of<Recorded>, picture)) app.settings.picture = Recorded(picture);

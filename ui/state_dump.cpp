@@ -68,8 +68,8 @@ void StateDump::write(App& app, bool busy) {
   out.at("can_undo") = app.history.can_undo();
   out.at("can_redo") = app.history.can_redo();
   out.at("full_screen") = app.presenter.full;
-  out.at("calm") = app.figures.valid && !busy && !app.errands->busy() && !app.look.glyphs.changed &&
-                   !lessons_of(app).busy() && !lessons_of(app).loading();
+  out.at("calm") = app.figures.valid && !busy && !app.gesture && !ImGui::IsAnyMouseDown() && !app.errands->busy() &&
+                   !app.look.glyphs.changed && !lessons_of(app).busy() && !lessons_of(app).loading();
   out.at("dialogue") = int(app.dialogue.kind);
   out.at("help") = app.help;
   Tree::List said;

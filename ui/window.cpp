@@ -42,7 +42,7 @@ std::string last_glfw_error() {
 // GLFW, its window with an OpenGL context, and ImGui on it; undone in reverse order.
 class Surface {
  public:
-  Surface(App& app, const Placement& place) : ears_{app, {}} {
+  Surface(App& app, const Placement& place) : ears_{app, {}, {}} {
     if (!glfwInit()) {
       const std::string why = last_glfw_error();
       throw InputError("display", {"no window can be opened: " + why, "ウィンドウを開けません: " + why},
@@ -71,11 +71,12 @@ class Surface {
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int what, int with) {
       if (what == GLFW_RELEASE) return;
+      Ears& ears = *static_cast<Ears*>(glfwGetWindowUserPointer(w));
+      if (key >= 0 && what == GLFW_PRESS) ears.tapped.push_back(key);
       const char* name = glfwGetKeyName(key, code);  // the letter on the key, wherever the layout has it
       if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = GLFW_KEY_A + (name[0] - 'a');
-      static_cast<Ears*>(glfwGetWindowUserPointer(w))
-          ->pressed.push_back({key, (with & GLFW_MOD_CONTROL) != 0, (with & GLFW_MOD_SHIFT) != 0,
-                               (with & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0, what == GLFW_REPEAT});
+      ears.pressed.push_back({key, (with & GLFW_MOD_CONTROL) != 0, (with & GLFW_MOD_SHIFT) != 0,
+                              (with & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0, what == GLFW_REPEAT});
     });
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
@@ -102,6 +103,19 @@ class Surface {
   // The keys since the last time.
   std::vector<KeyPress> take_keys() { return std::exchange(ears_.pressed, {}); }
 
+  // ImGui 1.86 looks at the keys once a frame: one that was let go before it looked counts as held in this frame.
+  void new_frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = frame_time(io.DeltaTime);
+    std::erase_if(ears_.tapped, [&](int key) { return io.KeysDown[key]; });
+    for (const int key : ears_.tapped) io.KeysDown[key] = true;
+    ImGui::NewFrame();
+    for (const int key : ears_.tapped) io.KeysDown[key] = false;
+    ears_.tapped.clear();
+  }
+
   double content_scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
@@ -124,6 +138,7 @@ class Surface {
   struct Ears {
     App& app;
     std::vector<KeyPress> pressed;
+    std::vector<int> tapped;  // GLFW's keys that went down since the last frame
   };
   Ears ears_;
   GLFWwindow* window_ = nullptr;
@@ -162,14 +177,10 @@ void draw_frame(App& app, Surface& surface) {
   app.errands->finish(app);
   lessons_of(app).update(app);
   game_of(app).update(app);
-  ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = frame_time(io.DeltaTime);
-  ImGui::NewFrame();
+  surface.new_frame();
   handle_keys(app, surface.take_keys());
   watch_sweep(app);
-  draw_window(app, io.DisplaySize);
+  draw_window(app, ImGui::GetIO().DisplaySize);
   keep_history(app);
   note_lecture(app);
   recorder_of(app).update(app);

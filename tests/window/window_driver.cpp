@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,6 +62,20 @@ void stop(pid_t& child) {
   child = -1;
 }
 
+// Servers that start and end at the same moment take each other's display away.
+class StartsAlone {
+ public:
+  explicit StartsAlone(const fs::path& file) : lock_(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+    ::flock(lock_, LOCK_EX);
+  }
+  ~StartsAlone() { ::close(lock_); }
+  StartsAlone(const StartsAlone&) = delete;
+  StartsAlone& operator=(const StartsAlone&) = delete;
+
+ private:
+  int lock_;
+};
+
 // The number that Xvfb writes when it is ready.
 std::string read_display(int fd) {
   std::string out;
@@ -81,6 +96,7 @@ WindowDriver::WindowDriver(int width, int height, fs::path home, std::vector<std
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0) throw std::runtime_error("pipe");
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  const StartsAlone alone(home_.parent_path() / "display.lock");
   server_ = start({"Xvfb", "-displayfd", std::to_string(pipe[1]), "-screen", "0", size + "x24", "-nolisten", "tcp"}, {},
                   home_, home_ / "xvfb.log", pipe[1]);
   ::close(pipe[1]);
@@ -103,6 +119,7 @@ WindowDriver::WindowDriver(int width, int height, fs::path home, std::vector<std
 
 WindowDriver::~WindowDriver() {
   stop(program_);
+  const StartsAlone alone(home_.parent_path() / "display.lock");
   stop(server_);
 }
 
@@ -171,7 +188,7 @@ bool WindowDriver::wait(const std::string& what, const std::function<bool(const 
   for (;;) {
     if (holds(state())) return true;
     if (!runs()) {
-      ADD_FAILURE() << "the program ended while waiting for " << what;
+      ADD_FAILURE() << "the program ended while waiting for " << what << ": " << read_file(home_ / "shadebench.log");
       return false;
     }
     if (Clock::now() > end) {

@@ -43,6 +43,11 @@ class Window : public testing::Test {
     window->wait("a calm window", [](const Tree& s) { return at(s, "calm") == Tree(true); });
     window->screenshot(name);
   }
+  bool wait_moved_light() {
+    return window->wait("a moved light, let go", [](const Tree& s) {
+      return at(s, "scene.lights.0.position").list() != nullptr && at(s, "calm") == Tree(true);
+    });
+  }
   bool wait_scene(const std::string& what, const Tree& scene) {
     return window->wait(what, [&](const Tree& s) { return at(s, "scene") == scene; });
   }
@@ -100,7 +105,7 @@ TEST_F(Window, WhatALecturerDoesToAScene) {
   // A number is dragged in the program.
   const auto number = window->place("code:lights.0.position");
   window->drag(0.5 * (number[0] + number[2]), 0.5 * (number[1] + number[3]), 60, 0);
-  window->wait("a moved light", [&](const Tree& s) { return at(s, "scene.lights.0.position").list() != nullptr; });
+  wait_moved_light();
 
   // A mistake is put in, the program is exported, and everything is undone.
   window->key("k");
@@ -127,7 +132,7 @@ TEST_F(Window, TheLecturesLogBecomesALesson) {
   open(1280, 720, {"torus"});
   const auto number = window->place("code:lights.0.position");
   window->drag(0.5 * (number[0] + number[2]), 0.5 * (number[1] + number[3]), 60, 0);
-  window->wait("a moved light", [&](const Tree& s) { return at(s, "scene.lights.0.position").list() != nullptr; });
+  wait_moved_light();
   const Tree moved = at(window->state(), "scene");
   window->key("2");  // the wipe
   wait_is("settings.view", "wipe");
