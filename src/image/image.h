@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace cg {

@@ -36,4 +36,13 @@ void clip_objects(const Viewport& viewport, bool clip, Workers& workers, Drawing
   }
 }
 
+Drawing drawing_of(const Scene& scene, const View& view, Workers& workers) {
+  const Viewport viewport(view.width, view.height);
+  Drawing drawing;
+  gather_objects(scene, view, workers, drawing);
+  transform_objects(viewport, workers, drawing);
+  clip_objects(viewport, true, workers, drawing);
+  return drawing;
+}
+
 }  // namespace cg

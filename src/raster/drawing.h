@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "raster/clip.h"
+#include "raster/workers.h"
 #include "scene/scene.h"
 
 namespace cg {
@@ -49,11 +50,31 @@ struct Drawing {
   }
 };
 
+// Calls draw(v0, v1, v2, id) for each triangle of the part that clipping left, in order.
+template <class Draw>
+void for_each_triangle(const DrawnObject& object, const Part& part, const Draw& draw) {
+  const std::vector<std::uint32_t>& indices = object.surface->indices;
+  auto cut = std::lower_bound(object.clipped.begin(), object.clipped.end(), part.begin,
+                              [](const ClippedTriangle& c, std::size_t t) { return c.source < t; });
+  for (std::size_t t = part.begin; t < part.end; ++t) {
+    const WindowVertex& v0 = object.vertices[indices[3 * t]];
+    const WindowVertex& v1 = object.vertices[indices[3 * t + 1]];
+    const WindowVertex& v2 = object.vertices[indices[3 * t + 2]];
+    if ((v0.outside | v1.outside | v2.outside) == 0) draw(v0, v1, v2, object.first + std::uint32_t(t));
+    for (; cut != object.clipped.end() && cut->source == t; ++cut)
+      draw(cut->vertices[0], cut->vertices[1], cut->vertices[2],
+           object.first + std::uint32_t(object.surface->triangle_count() + std::size_t(cut - object.clipped.begin())));
+  }
+}
+
 // The first steps of a picture. The visible objects, each with its surface and matrices;
 void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing);
 // their vertices in the window;
 void transform_objects(const Viewport& viewport, Workers& workers, Drawing& drawing);
 // what the view volume cuts, where `clip` says that something may be cut, and every triangle's number.
 void clip_objects(const Viewport& viewport, bool clip, Workers& workers, Drawing& drawing);
+
+// All three, for whoever asks about a picture without drawing it.
+Drawing drawing_of(const Scene& scene, const View& view, Workers& workers);
 
 }  // namespace cg

@@ -6,16 +6,6 @@ namespace cg {
 
 namespace {
 
-Drawing drawing_of(const Scene& scene, const View& view, Progress& progress) {
-  Workers workers(view.threads, progress);
-  const Viewport viewport(view.width, view.height);
-  Drawing drawing;
-  gather_objects(scene, view, workers, drawing);
-  transform_objects(viewport, workers, drawing);
-  clip_objects(viewport, true, workers, drawing);
-  return drawing;
-}
-
 // How deep inside a visible triangle the pixel lies: its smallest weight.
 double depth_inside(const DrawnObject& object, std::uint32_t id, int x, int y) {
   const glm::dvec3 w = TriangleWeights<double>(object.window(id)).at(x, y);
@@ -25,7 +15,8 @@ double depth_inside(const DrawnObject& object, std::uint32_t id, int x, int y) {
 }  // namespace
 
 std::optional<PixelTriangle> triangle_at(const Scene& scene, const View& view, int x, int y, Progress& progress) {
-  Drawing drawing = drawing_of(scene, view, progress);
+  Workers workers(view.threads, progress);
+  Drawing drawing = drawing_of(scene, view, workers);
   const std::uint32_t id = visible_at(drawing, view.width, view.height, x, y);
   if (id == no_triangle) return std::nullopt;
   return PixelTriangle{std::move(drawing.objects[drawing.object_of(id)]), id, x, view.height - 1 - y};
@@ -35,7 +26,8 @@ std::optional<PixelTriangle> triangle_at(const Scene& scene, const View& view, i
                                          Progress& progress) {
   Scene alone = scene;
   for (std::size_t i = 0; i < alone.objects.size(); ++i) alone.objects[i].visible = int(i) == object;
-  Drawing drawing = drawing_of(alone, view, progress);
+  Workers workers(view.threads, progress);
+  Drawing drawing = drawing_of(alone, view, workers);
   if (drawing.objects.empty()) return std::nullopt;
   DrawnObject& o = drawing.objects[0];
   const auto found = std::lower_bound(o.surface->triangle.begin(), o.surface->triangle.end(), std::uint32_t(triangle));

@@ -24,21 +24,10 @@ std::vector<TrianglePart> parts_of(const Drawing& drawing) {
   return parts;
 }
 
-// Calls draw(v0, v1, v2, id) for each triangle of the part that clipping left, in order.
-template <class Draw>
-void for_each_triangle(const DrawnObject& object, const Part& part, const Draw& draw) {
-  const std::vector<std::uint32_t>& indices = object.surface->indices;
-  auto cut = std::lower_bound(object.clipped.begin(), object.clipped.end(), part.begin,
-                              [](const ClippedTriangle& c, std::size_t t) { return c.source < t; });
-  for (std::size_t t = part.begin; t < part.end; ++t) {
-    const WindowVertex& v0 = object.vertices[indices[3 * t]];
-    const WindowVertex& v1 = object.vertices[indices[3 * t + 1]];
-    const WindowVertex& v2 = object.vertices[indices[3 * t + 2]];
-    if ((v0.outside | v1.outside | v2.outside) == 0) draw(v0, v1, v2, object.first + std::uint32_t(t));
-    for (; cut != object.clipped.end() && cut->source == t; ++cut)
-      draw(cut->vertices[0], cut->vertices[1], cut->vertices[2],
-           object.first + std::uint32_t(object.surface->triangle_count() + std::size_t(cut - object.clipped.begin())));
-  }
+// `rows` rounded up to whole tiles.
+int whole_tiles(int rows) {
+  constexpr int tile = VisibilityBuffer::tile_height;
+  return (rows + tile - 1) / tile * tile;
 }
 
 // Sorts a part's triangles into the bands of `band_rows` rows that they touch.
@@ -98,12 +87,13 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
   }
   // More bands than threads, so that a thread whose bands are empty takes another's.
   const int band_count = std::min(8 * workers.threads(), std::max(out.height, 1));
-  const int band_rows = ((out.height + band_count - 1) / band_count + 7) / 8 * 8;
+  const int band_rows = whole_tiles((out.height + band_count - 1) / band_count);
   workers.for_each(int(parts.size()),
                    [&](int i) { sort_into_bands(drawing, out.height, band_rows, band_count, parts[std::size_t(i)]); });
   workers.for_each(band_count, [&](int b) {
     const Band band{&out, b * band_rows, std::min((b + 1) * band_rows, out.height)};
-    for (int y = band.top; y < band.bottom; y += 8) out.clear_tile_row(y / 8);
+    for (int y = band.top; y < band.bottom; y += VisibilityBuffer::tile_height)
+      out.clear_tile_row(y / VisibilityBuffer::tile_height);
     for (const TrianglePart& part : parts) {
       workers.check();
       for (const std::uint32_t id : part.of_band[std::size_t(b)]) {

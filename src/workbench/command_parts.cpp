@@ -7,6 +7,7 @@
 
 #include "params/numbers.h"
 #include "workbench/open.h"
+#include "workbench/progress_line.h"
 #include "workbench/technique_list.h"
 
 namespace cg {
@@ -100,6 +101,19 @@ void tell_nan(const std::string& technique, const Frame& frame, Language languag
   const std::string n = std::to_string(frame.nan_pixels);
   const Text text{n + " pixels were not finite and are black", n + " 画素が有限の値にならず、黒にしました"};
   std::fprintf(stderr, "shadebench: %s: %s\n", technique.c_str(), text.in(language).c_str());
+}
+
+Frame draw_for_command(const Technique& technique, const Scene& scene, const View& view, Progress& progress,
+                       Language language) {
+  const Plan plan = technique.plan(scene, view);
+  tell_notes(plan, language);
+  Frame frame;
+  {
+    const ProgressLine line(progress, label_of(technique, language));
+    frame = technique.render(scene, plan, view, progress);
+  }
+  tell_nan(technique.id, frame, language);
+  return frame;
 }
 
 }  // namespace cg

@@ -35,6 +35,9 @@ std::string label_of(const Technique& technique, Language language);
 
 // To stderr: the plan's notes, and that NaN or infinity was replaced by 0.
 void tell_notes(const Plan& plan, Language language);
+// The picture, its progress shown on a terminal; what the plan and the picture have to say goes to stderr.
+Frame draw_for_command(const Technique& technique, const Scene& scene, const View& view, Progress& progress,
+                       Language language);
 void tell_nan(const std::string& technique, const Frame& frame, Language language);
 
 }  // namespace cg

@@ -75,15 +75,8 @@ int run_render(const Arguments& a, std::span<const Technique> techniques, Langua
                      {"name a picture: -o picture.png", "-o picture.png のように指定してください"});
   const Scene scene = scene_for(a, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
-  const Plan plan = technique.plan(scene, view);
-  tell_notes(plan, language);
   Progress progress;
-  Frame frame;
-  {
-    const ProgressLine line(progress, label_of(technique, language));
-    frame = technique.render(scene, plan, view, progress);
-  }
-  tell_nan(technique.id, frame, language);
+  const Frame frame = draw_for_command(technique, scene, view, progress, language);
   write_image(a.output, frame.colour, scene.display);
   return 0;
 }

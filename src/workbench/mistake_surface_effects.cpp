@@ -98,41 +98,18 @@ MistakeEffect no_color_material_effect(const MistakeScene& s) {
 
 namespace {
 
-Drawing drawing_of(const Scene& scene, const View& view, Workers& workers) {
-  const Viewport viewport(view.width, view.height);
-  Drawing drawing;
-  gather_objects(scene, view, workers, drawing);
-  transform_objects(viewport, workers, drawing);
-  clip_objects(viewport, true, workers, drawing);
-  return drawing;
-}
-
-// draw(id) for each triangle that is in the picture, and each piece of those that clipping cut, in order.
-template <class Draw>
-void for_each_triangle(const Drawing& drawing, const Draw& draw) {
-  for (const DrawnObject& o : drawing.objects) {
-    const auto count = std::uint32_t(o.surface->triangle_count());
-    std::size_t cut = 0;
-    for (std::uint32_t t = 0; t < count; ++t) {
-      const std::uint32_t* v = &o.surface->indices[3 * std::size_t(t)];
-      if ((o.vertices[v[0]].outside | o.vertices[v[1]].outside | o.vertices[v[2]].outside) == 0) draw(o, o.first + t);
-      for (; cut < o.clipped.size() && o.clipped[cut].source == t; ++cut) draw(o, o.first + count + std::uint32_t(cut));
-    }
-  }
-}
-
 // What is seen without a depth test: the triangle drawn last. Each is given a depth before all that came earlier.
 void find_last(const Drawing& drawing, VisibilityBuffer& out) {
   const Band band{&out, 0, out.height};
   const float step = 1 / (float(drawing.objects.back().end) + 2);
   std::uint32_t drawn = 0;
-  for_each_triangle(drawing, [&](const DrawnObject& o, std::uint32_t id) {
-    const auto window = o.window(id);
-    WindowVertex v[3] = {*window[0], *window[1], *window[2]};
-    ++drawn;
-    for (WindowVertex& one : v) one.z = 1 - float(drawn) * step;
-    draw_triangle(band, v[0], v[1], v[2], id);
-  });
+  for (const DrawnObject& o : drawing.objects)
+    for_each_triangle(o, {0, o.surface->triangle_count()},
+                      [&](WindowVertex v0, WindowVertex v1, WindowVertex v2, std::uint32_t id) {
+                        ++drawn;
+                        for (WindowVertex* v : {&v0, &v1, &v2}) v->z = 1 - float(drawn) * step;
+                        draw_triangle(band, v0, v1, v2, id);
+                      });
 }
 
 }  // namespace
@@ -168,8 +145,12 @@ MistakeEffect swapped_front_face_effect(const MistakeScene& s, const View& view)
   Progress progress;
   Workers workers(1, progress);
   std::size_t front = 0, all = 0;
-  for_each_triangle(drawing_of(s.scene, view, workers),
-                    [&](const DrawnObject& o, std::uint32_t id) { front += is_front_face(o.window(id)), ++all; });
+  const Drawing drawing = drawing_of(s.scene, view, workers);
+  for (const DrawnObject& o : drawing.objects)
+    for_each_triangle(o, {0, o.surface->triangle_count()},
+                      [&](const WindowVertex& v0, const WindowVertex& v1, const WindowVertex& v2, std::uint32_t) {
+                        front += is_front_face({&v0, &v1, &v2}), ++all;
+                      });
   MistakeEffect e;
   e.value = all > 0 ? double(front) / double(all) : 0;
   e.shows = all > 0;

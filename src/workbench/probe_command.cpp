@@ -2,7 +2,6 @@
 #include "params/tree.h"
 #include "workbench/command_parts.h"
 #include "workbench/probe.h"
-#include "workbench/progress_line.h"
 
 namespace cg {
 
@@ -33,15 +32,8 @@ int run_probe(const Arguments& a, std::span<const Technique> techniques, Languag
   const Scene scene = scene_for(a, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   view.ids = true;
-  const Plan plan = technique.plan(scene, view);
-  tell_notes(plan, language);
   Progress progress;
-  Frame frame;
-  {
-    const ProgressLine line(progress, label_of(technique, language));
-    frame = technique.render(scene, plan, view, progress);
-  }
-  tell_nan(technique.id, frame, language);
+  const Frame frame = draw_for_command(technique, scene, view, progress, language);
   const Probe p = probe(scene, technique, view, frame, pixel, progress);
   print(a.json ? to_json(json_of(p, scene)) + "\n" : text_of(p, scene, language));
   return 0;

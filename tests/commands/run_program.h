@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "params/file.h"
-#include "tests/workbench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 

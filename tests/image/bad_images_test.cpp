@@ -11,6 +11,7 @@
 #include "image/image_file.h"
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 namespace {
@@ -38,18 +39,18 @@ bool finite(const FileImage& image) {
 }
 
 TEST(BadImages, GivePixelsOrOneClearLine) {
-  std::string name = (fs::temp_directory_path() / "shadebench-bad-XXXXXX").string();
-  const fs::path folder = ::mkdtemp(name.data());
+  const TemporaryFolder folder;
   ColourImage good(16, 12);
   for (std::size_t i = 0; i < good.size(); ++i) good.pixels()[i] = glm::vec3(float(i) / 192, float(i % 16) / 16, 0.5f);
-  std::string command = "python3 '" SHADEBENCH_SOURCE_DIR "/tests/fuzz/make_bad_images.py' '" + folder.string() + "'";
+  std::string command =
+      "python3 '" SHADEBENCH_SOURCE_DIR "/tests/fuzz/make_bad_images.py' '" + folder.path().string() + "'";
   for (const char* seed : {"a.jpg", "a.exr", "a.hdr"}) {
     write_image(folder / seed, good, {});
     command += " '" + (folder / seed).string() + "'";
   }
   ASSERT_EQ(std::system((command + " > /dev/null").c_str()), 0);
 
-  const std::vector<Expected> all = expected_in(folder);
+  const std::vector<Expected> all = expected_in(folder.path());
   EXPECT_GE(all.size(), 300u);
   int read = 0, refused = 0, ended = 0;
   for (const Expected& file : all) {
@@ -76,13 +77,12 @@ TEST(BadImages, GivePixelsOrOneClearLine) {
         ++ended;
         std::printf("  ended: %s\n", file.name.c_str());
       }
-      if (std::getenv("SHADEBENCH_SHOW")) std::printf("  %s\n", line.c_str() + folder.string().size() + 1);
+      if (std::getenv("SHADEBENCH_SHOW")) std::printf("  %s\n", line.c_str() + folder.path().string().size() + 1);
     }
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(11)) << file.name;
   }
   EXPECT_EQ(read_image(folder / "good.png").info.width, 16);
   std::printf("%zu files: %d read, %d refused, of which %d ended the program\n", all.size(), read, refused, ended);
-  fs::remove_all(folder);
 }
 
 }  // namespace

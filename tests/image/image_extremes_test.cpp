@@ -8,6 +8,7 @@
 #include "image/image_file.h"
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 namespace {
@@ -16,11 +17,6 @@ namespace fs = std::filesystem;
 
 class ImageExtremes : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "shadebench-extremes-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  void TearDown() override { fs::remove_all(folder); }
   FileImage read(const std::string& name, const std::string& bytes) {
     save_file(folder / name, bytes);
     return read_image(folder / name);
@@ -33,7 +29,7 @@ class ImageExtremes : public testing::Test {
     }
     return "";
   }
-  fs::path folder;
+  const TemporaryFolder folder;
 };
 
 std::string ppm(int width, int height) {

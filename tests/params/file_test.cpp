@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "params/input_error.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 namespace {
@@ -17,13 +18,8 @@ namespace fs = std::filesystem;
 
 class FileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "shadebench-file-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  void TearDown() override { fs::remove_all(folder); }
-  std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder), {})); }
-  fs::path folder;
+  std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder.path()), {})); }
+  const TemporaryFolder folder;
 };
 
 template <class F>
@@ -69,7 +65,7 @@ TEST_F(FileTest, SaysWhatIsWrong) {
   const auto reading = [&](const fs::path& f) { return english_error([&] { read_file(f, 10); }); };
   const auto saving = [&](const fs::path& f) { return english_error([&] { save_file(f, "x"); }); };
   EXPECT_NE(reading(folder / "none").find("none: cannot be read: no such file"), std::string::npos);
-  EXPECT_NE(reading(folder).find("it is a folder"), std::string::npos);
+  EXPECT_NE(reading(folder.path()).find("it is a folder"), std::string::npos);
   EXPECT_NE(reading("/dev/zero").find("a device"), std::string::npos);
   save_file(folder / "long", "12345678901");
   EXPECT_NE(reading(folder / "long").find("is larger than"), std::string::npos);
@@ -77,7 +73,7 @@ TEST_F(FileTest, SaysWhatIsWrong) {
   EXPECT_NE(reading(folder / "fifo").find("is a pipe"), std::string::npos);
   EXPECT_NE(saving(folder / "fifo").find("is a pipe"), std::string::npos);
   EXPECT_NE(saving("/dev/full").find("a device"), std::string::npos);
-  EXPECT_NE(saving(folder).find("it is a folder"), std::string::npos);
+  EXPECT_NE(saving(folder.path()).find("it is a folder"), std::string::npos);
   EXPECT_NE(saving(folder / "none" / "x").find("no such file or folder"), std::string::npos);
   EXPECT_NE(saving(folder / std::string(256, 'n')).find("too long"), std::string::npos);
 }

@@ -7,6 +7,7 @@
 
 #include "params/file.h"
 #include "scene/model_file.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 
@@ -59,23 +60,12 @@ inline void expect_refused(const std::string& extension, const std::vector<Refus
   }
 }
 
-// A folder of its own for files, removed at the end.
-class TestFolder {
- public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "shadebench-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TestFolder() { std::filesystem::remove_all(path_); }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+struct TestFolder : TemporaryFolder {
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    save_file(path_ / name, bytes);
-    return path_ / name;
+    std::filesystem::create_directories((*this / name).parent_path());
+    save_file(*this / name, bytes);
+    return *this / name;
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace cg

@@ -4,6 +4,7 @@
 
 #include "image/image_file.h"
 #include "params/file.h"
+#include "tests/temporary_folder.h"
 
 namespace cg {
 namespace {
@@ -18,12 +19,6 @@ std::shared_ptr<const Picture> plain(int width, int height, std::uint8_t red) {
 
 class FrameWriterTest : public testing::Test {
  protected:
-  FrameWriterTest() : folder(fs::path(testing::TempDir()) / "frame-writer-test") {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~FrameWriterTest() override { fs::remove_all(folder); }
-
   static void wait(FrameWriter& writer) {
     writer.finish();
     for (int i = 0; i < 1500 && !writer.ended(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -31,13 +26,13 @@ class FrameWriterTest : public testing::Test {
   }
   std::vector<std::string> names() const {
     std::vector<std::string> out;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
       if (entry.is_regular_file()) out.push_back(entry.path().filename().string());
     std::sort(out.begin(), out.end());
     return out;
   }
 
-  fs::path folder;
+  TemporaryFolder folder;
 };
 
 TEST_F(FrameWriterTest, ASequenceHasAFileForEachTick) {
@@ -109,7 +104,7 @@ TEST_F(FrameWriterTest, WhatCannotBeWrittenIsSaid) {
 
 TEST_F(FrameWriterTest, WhatIsThereIsLeftAlone) {
   save_file(folder / "thesis.tex", "years of work");
-  EXPECT_THROW(FrameWriter(RecordedAs::png, folder, 15, [] {}), InputError);
+  EXPECT_THROW(FrameWriter(RecordedAs::png, folder.path(), 15, [] {}), InputError);
   EXPECT_THROW(FrameWriter(RecordedAs::gif, folder / "none/clip.gif", 15, [] {}), InputError);
   EXPECT_EQ(names(), (std::vector<std::string>{"thesis.tex"}));
 }

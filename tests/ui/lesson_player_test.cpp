@@ -7,6 +7,7 @@
 #include "params/file.h"
 #include "params/slots.h"
 #include "raster/software.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/imgui_fixture.h"
 #include "ui/actions.h"
 #include "ui/parameter.h"
@@ -19,20 +20,16 @@ namespace fs = std::filesystem;
 
 class LessonPlayerTest : public testing::Test {
  protected:
-  LessonPlayerTest() : folder(fs::path(testing::TempDir()) / "lesson-player-test") {
-    fs::remove_all(folder);
+  LessonPlayerTest() {
     write("01-first", 0.25);
     write("02-second", 0.5);
     app.scene = open_scene("cube");
     app.history.restart(app.scene);
     app.lessons = std::make_shared<LessonPlayer>(std::vector<Technique>{software_technique()},
-                                                 std::vector<fs::path>{folder}, [] {});
+                                                 std::vector<fs::path>{folder.path()}, [] {});
     wait([&] { return player().list().size() == 2; });
   }
-  ~LessonPlayerTest() override {
-    app.lessons.reset();
-    fs::remove_all(folder);
-  }
+  ~LessonPlayerTest() override { app.lessons.reset(); }
 
   void write(const std::string& id, double k_d) {
     fs::create_directories(folder / id);
@@ -68,7 +65,7 @@ class LessonPlayerTest : public testing::Test {
   }
   Scene scene_of(const std::string& id, std::size_t step) { return scene_of_step(read_lesson(folder / id), step); }
 
-  fs::path folder;
+  TemporaryFolder folder;
   App app;
 };
 

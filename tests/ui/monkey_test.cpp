@@ -4,6 +4,7 @@
 #include <random>
 
 #include "params/slots.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/imgui_fixture.h"
 #include "ui/actions.h"
 #include "workbench/open.h"
@@ -24,9 +25,8 @@ bool all_accepted(Scene& scene) {
 
 TEST_F(ImGuiTest, AMonkeyAtTheWindow) {
   const std::filesystem::path home = std::filesystem::current_path();
-  const std::filesystem::path cage = std::filesystem::temp_directory_path() / "shadebench-monkey";
-  std::filesystem::create_directories(cage);
-  std::filesystem::current_path(cage);  // what it saves, it saves here
+  const TemporaryFolder cage;
+  std::filesystem::current_path(cage.path());  // what it saves, it saves here
   app.scene = open_scene("cube");
   app.history.restart(app.scene);
   std::mt19937 random(20240607);
@@ -58,7 +58,6 @@ TEST_F(ImGuiTest, AMonkeyAtTheWindow) {
   }
   while (app.errands->busy()) std::this_thread::yield();
   std::filesystem::current_path(home);
-  std::filesystem::remove_all(cage);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "params/file.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/imgui_fixture.h"
 #include "ui/actions.h"
 #include "ui/presets.h"
@@ -22,7 +23,6 @@ class Presets : public ImGuiTest {
     app.scene = open_scene("cube");
     app.history.restart(app.scene);
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   void finish_errands() {
     while (app.errands->busy()) std::this_thread::yield();
@@ -34,7 +34,7 @@ class Presets : public ImGuiTest {
     window_frame();
   }
 
-  fs::path folder = fs::temp_directory_path() / "shadebench-presets-test";
+  const TemporaryFolder folder;
 };
 
 TEST_F(Presets, OneKeyShowsThemInTurnAndUndoGoesBack) {
@@ -71,7 +71,6 @@ TEST_F(Presets, WhatDiffersIsListedAndTakenOver) {
 }
 
 TEST_F(Presets, AStudentsProgramOpensWithItsComplaints) {
-  fs::create_directories(folder);
   const fs::path file = folder / "main.c";
   save_file(file,
             "GLfloat diffuse[] = { 0.25, 0.5, 0.75, 1.0 };\n"
@@ -91,7 +90,6 @@ TEST_F(Presets, AStudentsProgramOpensWithItsComplaints) {
 }
 
 TEST_F(Presets, TheDialogueExportsToAFileAndToTheClipboard) {
-  fs::create_directories(folder);
   static std::string clipboard;
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { clipboard = text; };
   ImGui::GetIO().GetClipboardTextFn = [](void*) { return clipboard.c_str(); };

@@ -8,7 +8,7 @@
 #include "params/input_error.h"
 #include "scene/model_file.h"
 #include "shading/surface.h"
-#include "tests/workbench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "workbench/model_library.h"
 #include "workbench/open.h"
 

@@ -9,7 +9,7 @@
 #include "params/file.h"
 #include "params/input_error.h"
 #include "raster/software.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "workbench/data_folder.h"
 #include "workbench/lesson_check.h"
 #include "workbench/lesson_expression.h"

@@ -9,7 +9,7 @@
 #include "params/input_error.h"
 #include "raster/software.h"
 #include "scene/shape.h"
-#include "tests/workbench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "workbench/open.h"
 
 namespace cg {

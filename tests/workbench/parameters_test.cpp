@@ -9,8 +9,8 @@
 #include <locale>
 
 #include "params/input_error.h"
+#include "tests/temporary_folder.h"
 #include "tests/workbench/random_scene.h"
-#include "tests/workbench/temporary_folder.h"
 
 namespace cg {
 namespace {

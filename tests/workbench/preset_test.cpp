@@ -7,8 +7,8 @@
 
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/temporary_folder.h"
 #include "tests/workbench/random_scene.h"
-#include "tests/workbench/temporary_folder.h"
 #include "workbench/open.h"
 
 namespace cg {

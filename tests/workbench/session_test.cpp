@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "params/file.h"
-#include "tests/workbench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
 #include "workbench/preset.h"
