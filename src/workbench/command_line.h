@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/technique.h"
+#include "workbench/commands.h"
 
 namespace cg {
 
@@ -26,7 +27,9 @@ using OpenWindow = std::function<int(const WindowOptions&)>;
 
 // The whole program: parses, runs, reports. With no command it opens the window; where there is no display it draws the
 // scene by OpenGL and in software instead and prints the comparison. Errors are one line on stderr in the language of
-// the environment. Returns the exit status: 0 done, 1 a check failed, 2 the user's input was wrong.
-int run_command_line(int argc, char** argv, const std::vector<Technique>& techniques, const OpenWindow& open_window);
+// the environment. `others`: commands of other rooms. Returns the exit status: 0 done, 1 a check failed, 2 the user's
+// input was wrong.
+int run_command_line(int argc, char** argv, const std::vector<Technique>& techniques, const OpenWindow& open_window,
+                     const std::vector<CommandOffer>& others = {});
 
 }  // namespace cg

@@ -126,6 +126,22 @@ void CommandParser::add_lessons() {
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 
+void CommandParser::add_other(const CommandOffer& offer) {
+  std::string words;
+  for (const CommandOffer::Word& word : offer.words) words += " " + std::string(word.name);
+  CLI::App& app = add_named(offer.name, words, offer.help, offer.run);
+  for (const CommandOffer::Word& word : offer.words)
+    app.add_option(word.name, arguments.*word.value)->type_name("")->group("");
+  for (const CommandOffer::Option& option : offer.options)
+    if (option.flag)
+      add_flag(app, option.names, arguments.*option.flag, option.help);
+    else
+      add(app, option.names, arguments.*option.value, option.type, option.help);
+  if (!offer.draws) return;
+  add_picture(app);
+  add_threads(app);
+}
+
 void CommandParser::add_threads(CLI::App& app) {
   add(app, "--threads", arguments.threads, "N",
       {"Threads of the software reference; the picture is the same", "ソフトウェアのスレッド数。結果は変わらない"});

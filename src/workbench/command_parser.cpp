@@ -24,7 +24,9 @@ std::string shape_ids() {
 
 }  // namespace
 
-CommandParser::CommandParser(Language language, std::span<const Technique> techniques) : language_(language) {
+CommandParser::CommandParser(Language language, std::span<const Technique> techniques,
+                             std::span<const CommandOffer> others)
+    : language_(language) {
   for (const Technique& technique : techniques) ids_ += (ids_.empty() ? "" : ", ") + technique.id;
   app_.name("shadebench");
   app_.description(say({"A teaching workbench for shading: one scene drawn by OpenGL beside a software reference.",
@@ -41,6 +43,7 @@ CommandParser::CommandParser(Language language, std::span<const Technique> techn
   set_up(app_, "shadebench [SCENE]" + options + "\n" + say({"       ", "        "}) + "shadebench " +
                    say({"COMMAND SCENE", "コマンド SCENE"}) + options);
   add_all();
+  for (const CommandOffer& offer : others) add_other(offer);
 }
 
 CommandParser::Run CommandParser::run() const {
@@ -70,20 +73,29 @@ void CommandParser::set_up(CLI::App& app, const std::string& usage) {
   for (CLI::Option* option : app.get_options()) option->group(options_group());
 }
 
-CLI::App& CommandParser::add_bare_command(const char* name, const char* file, Words help, Run run) {
+CLI::App& CommandParser::add_named(const char* name, const std::string& words, Words help, Run run) {
   CLI::App* app = app_.add_subcommand(name, say(help));
   app->group(say({"Commands", "コマンド"}));
-  set_up(*app, "shadebench " + std::string(name) + " " + file + say({" [OPTIONS]", " [オプション]"}));
-  app->add_option(file, arguments.scene)->type_name("")->group("");
+  set_up(*app, "shadebench " + std::string(name) + words + say({" [OPTIONS]", " [オプション]"}));
   commands_.push_back({app, run});
   return *app;
 }
 
+CLI::App& CommandParser::add_bare_command(const char* name, const char* file, Words help, Run run) {
+  CLI::App& app = add_named(name, " " + std::string(file), help, run);
+  app.add_option(file, arguments.scene)->type_name("")->group("");
+  return app;
+}
+
 CLI::App& CommandParser::add_command(const char* name, Words help, Run run) {
   CLI::App& app = add_bare_command(name, "SCENE", help, run);
+  add_picture(app);
+  return app;
+}
+
+void CommandParser::add_picture(CLI::App& app) {
   add_set(app);
   add(app, "--size", arguments.size, "WxH", {"The picture's size, 512x512", "画像の大きさ。既定は 512x512"});
-  return app;
 }
 
 std::vector<const CLI::App*> CommandParser::parsed_apps() const {

@@ -13,9 +13,9 @@ namespace cg {
 
 class CommandParser {
  public:
-  using Run = int (*)(const Arguments&, std::span<const Technique>, Language);
+  using Run = RunCommand;
 
-  CommandParser(Language language, std::span<const Technique> techniques);
+  CommandParser(Language language, std::span<const Technique> techniques, std::span<const CommandOffer> others = {});
 
   void parse(int argc, char** argv) { app_.parse(argc, argv); }
   // Help or version: printed, and that is all.
@@ -49,6 +49,7 @@ class CommandParser {
   void add_import();
   void add_grade();
   void add_lessons();
+  void add_other(const CommandOffer& offer);
   // Options of several commands.
   void add_threads(CLI::App& app);
   void add_technique(CLI::App& app);
@@ -59,7 +60,10 @@ class CommandParser {
   void set_up(CLI::App& app, const std::string& usage);
   // A command of one file, without the options of what is drawn.
   CLI::App& add_bare_command(const char* name, const char* file, Words help, Run run);
+  // `words`: what the usage line shows behind the name.
+  CLI::App& add_named(const char* name, const std::string& words, Words help, Run run);
   CLI::App& add_command(const char* name, Words help, Run run);
+  void add_picture(CLI::App& app);
   template <class Value>
   CLI::Option* add(CLI::App& app, const char* name, Value& value, const char* type, Words help) {
     return app.add_option(name, value, say(help))->type_name(type)->group(options_group());

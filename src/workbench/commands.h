@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "params/words.h"
 #include "scene/technique.h"
 
 namespace cg {
@@ -20,6 +21,32 @@ struct Arguments {
   bool json = false;
   std::string report;  // a folder
   bool check = false;
+  std::string knob;  // of a trade
+  bool list = false;
+};
+
+using RunCommand = int (*)(const Arguments&, std::span<const Technique>, Language);
+
+// A command of a room that this one does not know (a trade, the extremes), as a value: named, explained and run as this
+// room's own are.
+struct CommandOffer {
+  struct Word {
+    const char* name;  // "KNOB"
+    std::string Arguments::*value;
+  };
+  struct Option {
+    const char* names;  // "-o,--output"
+    const char* type;   // "DIR"; null for a flag
+    Words help;
+    std::string Arguments::*value = nullptr;
+    bool Arguments::*flag = nullptr;
+  };
+  const char* name;
+  Words help;
+  RunCommand run;
+  std::vector<Word> words;  // what stands behind the name, in order; each may be left out
+  std::vector<Option> options;
+  bool draws = false;  // also --set, --size and --threads
 };
 
 // One technique's picture into a file.
