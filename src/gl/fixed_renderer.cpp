@@ -1,11 +1,11 @@
 #include "gl/fixed_renderer.h"
 
 #include "gl/check.h"
-#include "gl/cpu_time.h"
 #include "gl/fixed_by_hand.h"
 #include "gl/fixed_extremes.h"
 #include "gl/gl_plan.h"
 #include "params/input_error.h"
+#include "scene/cpu_clock.h"
 #include "shading/clip_position.h"
 #include "shading/fixed_function_scene.h"
 

@@ -1,7 +1,7 @@
 #include "gl/glsl_renderer.h"
 
 #include "gl/check.h"
-#include "gl/cpu_time.h"
+#include "scene/cpu_clock.h"
 #include "shading/clip_position.h"
 
 namespace cg {

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "raster/interpolation.h"
-#include "shading/light_batch.h"
+#include "scene/pass_recorder.h"
 
 namespace cg {
 
@@ -15,10 +15,15 @@ constexpr std::size_t triangles_a_part = 16384, vertices_a_part = 4096;
 // Several threads may mark the same place, each with the same 1.
 void mark(std::uint8_t& place) { std::atomic_ref<std::uint8_t>(place).store(1, std::memory_order_relaxed); }
 
+void cleared(std::vector<std::uint8_t>& marks, std::size_t count) {
+  fit(marks, count);
+  std::fill(marks.begin(), marks.end(), std::uint8_t(0));
+}
+
 // Marks the triangles that pixels show.
 void mark_visible_triangles(const VisibilityBuffer& visibility, std::uint32_t triangle_count, Workers& workers,
                             std::vector<std::uint8_t>& seen) {
-  seen.assign(triangle_count, 0);
+  cleared(seen, triangle_count);
   const std::size_t height = std::size_t(visibility.height);
   workers.for_each(part_count(height, rows_a_part), [&](int i) {
     const Part rows = part_of(height, rows_a_part, i);
@@ -36,8 +41,7 @@ void mark_visible_triangles(const VisibilityBuffer& visibility, std::uint32_t tr
 template <class Real>
 class LightQueue {
  public:
-  LightQueue(const EyeLighting<Real>& lighting, const ObjectShading<Real>& surface)
-      : lighting_(lighting), surface_(surface) {}
+  explicit LightQueue(const ObjectShading<Real>& surface) : surface_(surface) {}
 
   // N is brought to unit length where the surface's normals are.
   void add(const Vec3<Real>& P, const Vec3<Real>& N, Vec3<Real>& colour) {
@@ -49,15 +53,14 @@ class LightQueue {
   void flush() {
     if (count_ == 0) return;
     for (int i = count_; i < batch_size; ++i) P_.set(i, P_.get(0)), N_.set(i, N_.get(0));
-    if (surface_.normals.normalize) units(N_);
+    if (surface_.normals.normalize && surface_.light.uses_normal()) units(N_);
     EightVectors<Real> I;
-    light_points(lighting_, surface_.material, P_, N_, I);
+    surface_.light.light(P_, N_, I);
     for (int i = 0; i < count_; ++i) *colour_[i] = I.get(i);
     count_ = 0;
   }
 
  private:
-  const EyeLighting<Real>& lighting_;
   const ObjectShading<Real>& surface_;
   EightVectors<Real> P_, N_;
   Vec3<Real>* colour_[batch_size];
@@ -74,8 +77,8 @@ void mark_visible_vertices(const Drawing& drawing, const VisibilityBuffer& visib
   for (std::size_t o = 0; o < drawing.objects.size(); ++o) {
     const DrawnObject& object = drawing.objects[o];
     ShadedVertices<Real>& v = shading.objects[o].vertices;
-    v.front_seen.assign(object.vertices.size(), 0);
-    v.back_seen.assign(two_sided ? object.vertices.size() : 0, 0);
+    cleared(v.front_seen, object.vertices.size());
+    cleared(v.back_seen, two_sided ? object.vertices.size() : 0);
     const std::size_t count = object.end - object.first;
     workers.for_each(part_count(count, triangles_a_part), [&](int i) {
       const Part part = part_of(count, triangles_a_part, i);
@@ -100,20 +103,24 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
     ShadedVertices<Real>& v = s.vertices;
     const std::size_t count = surface.positions.size();
     const bool phong = shading.mode == ShadingMode::phong, two_sided = shading.lighting.two_sided;
-    (phong ? v.P : v.front).resize(count);
-    if (phong) v.N.resize(count);
-    if (!phong && two_sided) v.back.resize(count);
+    fit(v.P, phong && shading.uses_position ? count : 0);
+    fit(v.N, phong && shading.uses_normal ? count : 0);
+    fit(v.front, phong ? 0 : count);
+    fit(v.back, !phong && two_sided ? count : 0);
+    if (phong && !shading.uses_position && !shading.uses_normal) continue;
     const Mat4<Real> to_eye(object.to_eye);
     workers.for_each(part_count(count, vertices_a_part), [&](int i) {
       const Part part = part_of(count, vertices_a_part, i);
-      LightQueue<Real> queue(shading.lighting, s);
+      LightQueue<Real> queue(s);
       for (std::size_t k = part.begin; k < part.end; ++k) {
         const bool front = v.front_seen[k] != 0, back = two_sided && v.back_seen[k] != 0;
         if (!front && !back) continue;
-        const Vec3<Real> P(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
-        const Vec3<Real> N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
+        Vec3<Real> P(Real(0)), N(Real(0));
+        if (shading.uses_position) P = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
+        if (shading.uses_normal) N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
         if (phong) {
-          v.P[k] = P, v.N[k] = N;
+          if (shading.uses_position) v.P[k] = P;
+          if (shading.uses_normal) v.N[k] = N;
         } else {
           if (front) queue.add(P, N, v.front[k]);
           if (back) queue.add(P, -N, v.back[k]);

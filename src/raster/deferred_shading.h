@@ -3,12 +3,12 @@
 #pragma once
 #include "raster/visibility.h"
 #include "shading/eye_normal.h"
-#include "shading/light_model.h"
+#include "shading/light_batch.h"
 
 namespace cg {
 
 // A vertex of a visible triangle, ready for the pixels. Gouraud and flat shading need its colours, Phong shading
-// its point and normal in eye space.
+// its point and normal in eye space, as far as its light does. The other lists hold no memory.
 template <class Real>
 struct ShadedVertices {
   std::vector<Vec3<Real>> front, back;              // the colours of the two faces; `back` only where two sides are lit
@@ -19,7 +19,7 @@ struct ShadedVertices {
 // What of an object the light model needs.
 template <class Real>
 struct ObjectShading {
-  EyeMaterial<Real> material;
+  LightBatch<Real> light;
   NormalTransform<Real> normals;
   ShadedVertices<Real> vertices;
 };
@@ -28,6 +28,7 @@ template <class Real>
 struct DeferredShading {
   ShadingMode mode;
   EyeLighting<Real> lighting;
+  bool uses_position, uses_normal;           // whether the light on some object depends on P, on N
   std::vector<ObjectShading<Real>> objects;  // as in Drawing
   std::vector<std::uint8_t> seen;            // 1 for each triangle that a pixel shows, by Drawing's numbers
 };
@@ -37,7 +38,7 @@ template <class Real>
 void mark_visible_vertices(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
                            DeferredShading<Real>& shading);
 
-// Brings the marked vertices to eye space and, but for Phong shading, lights them.
+// Brings the marked vertices to eye space, as far as the light needs it, and, but for Phong shading, lights them.
 template <class Real>
 void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Real>& shading);
 

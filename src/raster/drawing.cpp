@@ -1,24 +1,31 @@
 #include "raster/drawing.h"
 
+#include "scene/pass_recorder.h"
 #include "shading/surface_cache.h"
 
 namespace cg {
 
-void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
+bool gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
   const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
   std::size_t used = 0;
+  bool same = true;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     workers.check();
     if (!object.visible || !object.mesh) continue;
+    SurfaceHandle surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    if (surface->triangle_count() == 0) continue;
+    const glm::dmat4 to_eye = surface_to_eye(scene, object, *surface);
+    const glm::mat4 to_clip = surface_to_clip(projection, glm::mat4(to_eye));
+    if (!can_be_placed(glm::mat4(to_eye), to_clip)) continue;
     if (used == drawing.objects.size()) drawing.objects.emplace_back();
     DrawnObject& o = drawing.objects[used++];
-    o.index = int(i);
-    o.surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
-    o.to_eye = surface_to_eye(scene, object, *o.surface);
-    o.to_clip = surface_to_clip(projection, glm::mat4(o.to_eye));
+    same = same && o.index == int(i) && o.surface == surface && o.to_eye == to_eye && o.to_clip == to_clip;
+    o.index = int(i), o.surface = std::move(surface), o.to_eye = to_eye, o.to_clip = to_clip;
   }
+  same = same && used == drawing.objects.size();
   drawing.objects.resize(used);
+  return same;
 }
 
 void transform_objects(const Viewport& viewport, Workers& workers, Drawing& drawing) {
@@ -29,7 +36,7 @@ void transform_objects(const Viewport& viewport, Workers& workers, Drawing& draw
 void clip_objects(const Viewport& viewport, bool clip, Workers& workers, Drawing& drawing) {
   std::uint32_t next = 0;
   for (DrawnObject& o : drawing.objects) {
-    o.clipped.clear();
+    clip ? o.clipped.clear() : fit(o.clipped, 0);
     if (clip && o.outside != 0) clip_triangles(*o.surface, o.to_clip, viewport, o.vertices, workers, o.clipped);
     o.first = next;
     o.end = next += std::uint32_t(o.surface->triangle_count() + o.clipped.size());

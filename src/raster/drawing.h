@@ -67,8 +67,9 @@ void for_each_triangle(const DrawnObject& object, const Part& part, const Draw& 
   }
 }
 
-// The first steps of a picture. The visible objects, each with its surface and matrices;
-void gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing);
+// The first steps of a picture. The visible objects that have triangles and can be placed, each with its surface and
+// matrices; true where `drawing` held the same ones before;
+bool gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing);
 // their vertices in the window;
 void transform_objects(const Viewport& viewport, Workers& workers, Drawing& drawing);
 // what the view volume cuts, where `clip` says that something may be cut, and every triangle's number.

@@ -5,8 +5,10 @@
 
 namespace cg {
 
-// Writes ids and normals where the frame has room for them; pixels that show nothing stay as they are.
-void fill_ids_and_normals(const Scene& scene, const Drawing& drawing, const VisibilityBuffer& visibility,
-                          Workers& workers, Frame& frame);
+// Frame::object and Frame::triangle; pixels that show nothing stay as they are.
+void fill_ids(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers, Frame& frame);
+// Frame::normal.
+void fill_normals(const Scene& scene, const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
+                  Frame& frame);
 
 }  // namespace cg

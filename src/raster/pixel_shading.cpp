@@ -4,7 +4,6 @@
 
 #include "raster/interpolation.h"
 #include "raster/recent_triangles.h"
-#include "shading/light_batch.h"
 
 namespace cg {
 
@@ -83,8 +82,8 @@ class ColourPixels {
   RecentTriangles<Triangle> recent_;
 };
 
-// Phong shading: point and normal interpolated, and the light model at each pixel.
-template <class Real>
+// Phong shading: point and normal interpolated, each where the light depends on it, and the light model at each pixel.
+template <class Real, bool with_P, bool with_N>
 class PhongPixels {
  public:
   PhongPixels(const Drawing& drawing, const DeferredShading<Real>& shading) : drawing_(drawing), shading_(shading) {}
@@ -94,11 +93,12 @@ class PhongPixels {
     Lanes<std::uint32_t> object{};
     for_each_run(ids, place.covered, [&](std::uint32_t id, const Lanes<std::int32_t>& mask) {
       const Triangle& t = recent_.get(id, [&] { return Triangle(shading_, SeenTriangle(drawing_, id)); });
-      Weights<Lanes<Real>> w;
-      LaneVectors<Real> point, normal;
-      t.weights.at(Lanes<Real>(lane_numbers<Real> + Real(place.x)), Real(place.y), w);
-      t.P.at(w, point), t.N.at(w, normal);
-      put(mask, point, P), put(mask, normal, N);
+      if constexpr (with_P || with_N) {
+        Weights<Lanes<Real>> w;
+        t.weights.at(Lanes<Real>(lane_numbers<Real> + Real(place.x)), Real(place.y), w);
+        if constexpr (with_P) put_at(t.P, w, mask, P);
+        if constexpr (with_N) put_at(t.N, w, mask, N);
+      }
       object = mask ? Lanes<std::uint32_t>{} + t.object : object;
     });
     for_each_run(object, place.covered, [&](std::uint32_t o, const Lanes<std::int32_t>& mask) {
@@ -112,12 +112,20 @@ class PhongPixels {
     CornerVectors<Real> P, N;
     std::uint32_t object = 0;
     Triangle() = default;
-    Triangle(const DeferredShading<Real>& shading, const SeenTriangle& t)
-        : weights(t.window),
-          P(t.corners<Real>(shading.objects[t.index].vertices.P)),
-          N(t.corners<Real>(shading.objects[t.index].vertices.N, shows_back(shading, t) ? Real(-1) : Real(1))),
-          object(std::uint32_t(t.index)) {}
+    Triangle(const DeferredShading<Real>& shading, const SeenTriangle& t) : object(std::uint32_t(t.index)) {
+      const ShadedVertices<Real>& v = shading.objects[t.index].vertices;
+      if constexpr (with_P || with_N) weights = TriangleWeights<Real>(t.window);
+      if constexpr (with_P) P = t.corners<Real>(v.P);
+      if constexpr (with_N) N = t.corners<Real>(v.N, shows_back(shading, t) ? Real(-1) : Real(1));
+    }
   };
+
+  static void put_at(const CornerVectors<Real>& corners, const Weights<Lanes<Real>>& w, const Lanes<std::int32_t>& mask,
+                     LaneVectors<Real>& out) {
+    LaneVectors<Real> here;
+    corners.at(w, here);
+    put(mask, here, out);
+  }
 
   static EightVectors<Real> eight(const LaneVectors<Real>& v) {
     static_assert(lanes == batch_size);
@@ -134,8 +142,8 @@ class PhongPixels {
     const int one = first_lane(lit);
     for (int i = 0; i < lanes && lit != ~LaneBytes(0); ++i)
       if (!has_lane(lit, i)) points.set(i, points.get(one)), normals.set(i, normals.get(one));
-    if (surface.normals.normalize) units(normals);
-    light_points(shading_.lighting, surface.material, points, normals, lights);
+    if (with_N && surface.normals.normalize && surface.light.uses_normal()) units(normals);
+    surface.light.light(points, normals, lights);
     LaneVectors<Real> colours;
     std::memcpy(&colours.x, &lights.x, sizeof colours.x);
     std::memcpy(&colours.y, &lights.y, sizeof colours.y);
@@ -248,7 +256,11 @@ void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, co
     case ShadingMode::gouraud:
       return shade(shade_rows<Real, ColourPixels<Real, GouraudTriangle<Real>>>);
     case ShadingMode::phong:
-      return shade(shade_rows<Real, PhongPixels<Real>>);
+      if (shading.uses_position)
+        return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, true, true>>)
+                                   : shade(shade_rows<Real, PhongPixels<Real, true, false>>);
+      return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, false, true>>)
+                                 : shade(shade_rows<Real, PhongPixels<Real, false, false>>);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "raster/software.h"
 
-#include <ctime>
 #include <mutex>
 #include <string>
 
@@ -8,6 +7,7 @@
 #include "raster/frame_layers.h"
 #include "raster/pixel_shading.h"
 #include "raster/software_plan.h"
+#include "raster/software_trace.h"
 
 namespace cg {
 
@@ -17,6 +17,7 @@ namespace {
 struct Buffers {
   Drawing drawing;
   VisibilityBuffer visibility;
+  std::size_t sorted = 0;  // bytes, for the threads
   DeferredShading<float> float_shading;
   DeferredShading<double> double_shading;
   template <class Real>
@@ -25,6 +26,13 @@ struct Buffers {
       return float_shading;
     else
       return double_shading;
+  }
+  template <class Real>
+  void keep_only() {
+    if constexpr (sizeof(Real) == sizeof(float))
+      double_shading = {};
+    else
+      float_shading = {};
   }
 };
 
@@ -45,12 +53,6 @@ class BufferPool {
   std::unique_ptr<Buffers> kept_;
 };
 
-double cpu_ms() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-}
-
 // A picture beyond this would take gigabytes before its first pixel is drawn.
 constexpr std::size_t most_pixels = std::size_t(16384) * 16384;
 
@@ -61,8 +63,8 @@ void refuse_beyond_limits(const View& view) {
                    Words{"at most as many pixels as 16384x16384", "16384x16384 の画素数以下にしてください"});
 }
 
-// A frame whose layers have the picture's size. Where something is drawn, shade_pixels() writes all of the first three.
-Frame make_frame(const Scene& scene, const Plan& plan, const View& view) {
+// The picture itself, of the view's size. Where something is drawn, shade_pixels() writes all of it.
+Frame make_frame(const Scene& scene, const Plan& plan, const View& view, PassRecorder& record) {
   Frame f;
   const int w = std::max(view.width, 0), h = std::max(view.height, 0);
   if (plan.runs("transform")) {
@@ -74,9 +76,37 @@ Frame make_frame(const Scene& scene, const Plan& plan, const View& view) {
     f.depth = Image<float>(w, h, 1.0f);
     f.covered = Image<std::uint8_t>(w, h);
   }
-  if (plan.runs("ids")) f.object = f.triangle = Image<std::int32_t>(w, h, nothing);
-  if (plan.runs("normals")) f.normal = Image<glm::vec3>(w, h, glm::vec3(0));
+  if (!f.colour.empty()) record.item("picture", bytes_of(f.colour) + bytes_of(f.depth) + bytes_of(f.covered));
   return f;
+}
+
+// Which triangle each pixel shows: transform, clip, visibility. Kept where it is the same as in the picture before.
+void find_geometry(const Scene& scene, const Plan& plan, const View& view, Workers& workers, PassRecorder& record,
+                   Buffers& buffers) {
+  Drawing& drawing = buffers.drawing;
+  VisibilityBuffer& visibility = buffers.visibility;
+  const bool same_size = visibility.width == view.width && visibility.height == view.height;
+  const bool kept = gather_objects(scene, view, workers, drawing) && same_size;
+  record_surfaces(drawing, kept, record);
+  std::size_t vertices = 0, clipped = 0, sorted = buffers.sorted;
+  const Viewport viewport(view.width, view.height);
+  const auto done = [&](std::string id, std::size_t bytes) {
+    kept ? record.item(std::move(id), bytes, true) : record.pass(std::move(id), bytes);
+  };
+  if (!kept) transform_objects(viewport, workers, drawing);
+  for (const DrawnObject& o : drawing.objects) vertices += bytes_of(o.vertices);
+  done("transform", vertices);
+  if (!kept) clip_objects(viewport, plan.runs("clip"), workers, drawing);
+  for (const DrawnObject& o : drawing.objects) clipped += bytes_of(o.clipped);
+  if (plan.runs("clip")) done("clip", clipped);
+  workers.done(0.1f);
+  if (!kept) {
+    visibility.resize(view.width, view.height);
+    buffers.sorted = sorted = find_visible(drawing, workers, visibility);
+  }
+  done("visibility", visibility.bytes());
+  if (workers.threads() > 1) record.item("bands", sorted, kept);
+  workers.done(0.6f);
 }
 
 template <class Real>
@@ -85,42 +115,65 @@ void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing,
                  : plan.runs("vertex-lighting") ? ShadingMode::gouraud
                                                 : ShadingMode::phong;
   shading.lighting = lighting_in_eye_space<Real>(scene, view_matrix(scene.camera));
+  shading.lighting.local_viewer = plan.runs("local-viewer");
   shading.lighting.two_sided = plan.runs("two-sides");
+  shading.lighting.clamp = plan.runs("clamp");
+  shading.uses_position = shading.uses_normal = false;
   shading.objects.resize(drawing.objects.size());
   for (std::size_t k = 0; k < drawing.objects.size(); ++k) {
     const Object& object = scene.objects[std::size_t(drawing.objects[k].index)];
-    shading.objects[k].material = eye_material<Real>(material_of(scene, object), scene.shading.color_material);
-    shading.objects[k].normals =
-        normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
+    ObjectShading<Real>& s = shading.objects[k];
+    s.light = LightBatch<Real>(shading.lighting,
+                               eye_material<Real>(material_of(scene, object), scene.shading.color_material));
+    s.normals = normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
+    shading.uses_position = shading.uses_position || s.light.uses_position();
+    shading.uses_normal = shading.uses_normal || s.light.uses_normal();
   }
+}
+
+// Light for what is visible.
+template <class Real>
+void shade(const Scene& scene, const Plan& plan, Workers& workers, PassRecorder& record, Buffers& buffers,
+           Frame& frame) {
+  const Drawing& drawing = buffers.drawing;
+  DeferredShading<Real>& shading = buffers.template shading<Real>();
+  begin_shading(scene, plan, drawing, shading);
+  record_parts(shading, record);
+  mark_visible_vertices(drawing, buffers.visibility, workers, shading);
+  record_marks(drawing, shading, record);
+  shade_vertices(drawing, workers, shading);
+  record_vertices(shading, record);
+  workers.done(0.8f);
+  shade_pixels(drawing, buffers.visibility, shading, glm::vec3(scene.display.background), workers, frame);
+  record.pass(shading.mode == ShadingMode::phong ? "pixel-lighting" : "interpolation");
 }
 
 // The pipeline, in the order of the lecture.
 template <class Real>
 Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& progress, Buffers& buffers) {
+  PassRecorder record;
   Workers workers(view.threads, progress);
-  Frame frame = make_frame(scene, plan, view);
-  if (frame.colour.empty() || !plan.runs("transform")) return frame;
-  Drawing& drawing = buffers.drawing;
-  const Viewport viewport(view.width, view.height);
-
-  gather_objects(scene, view, workers, drawing);
-  transform_objects(viewport, workers, drawing);
-  clip_objects(viewport, plan.runs("clip"), workers, drawing);
-  workers.done(0.1f);
-
-  buffers.visibility.resize(view.width, view.height);
-  find_visible(drawing, workers, buffers.visibility);
-  workers.done(0.6f);
-
-  DeferredShading<Real>& shading = buffers.template shading<Real>();
-  begin_shading(scene, plan, drawing, shading);
-  mark_visible_vertices(drawing, buffers.visibility, workers, shading);
-  shade_vertices(drawing, workers, shading);
-  workers.done(0.8f);
-  shade_pixels(drawing, buffers.visibility, shading, glm::vec3(scene.display.background), workers, frame);
-  fill_ids_and_normals(scene, drawing, buffers.visibility, workers, frame);
+  Frame frame = make_frame(scene, plan, view, record);
+  const bool draws = !frame.colour.empty() && plan.runs("transform");
+  if (draws) {
+    buffers.keep_only<Real>();
+    find_geometry(scene, plan, view, workers, record, buffers);
+    shade<Real>(scene, plan, workers, record, buffers, frame);
+  } else {
+    buffers = {};
+  }
+  if (plan.runs("ids")) {
+    frame.object = frame.triangle = Image<std::int32_t>(view.width, view.height, nothing);
+    if (draws) fill_ids(buffers.drawing, buffers.visibility, workers, frame);
+    record.pass("ids", bytes_of(frame.object) + bytes_of(frame.triangle));
+  }
+  if (plan.runs("normals")) {
+    frame.normal = Image<glm::vec3>(view.width, view.height, glm::vec3(0));
+    if (draws) fill_normals(scene, buffers.drawing, buffers.visibility, workers, frame);
+    record.pass("normals", bytes_of(frame.normal));
+  }
   workers.done(1.0f);
+  record.finish(frame);
   return frame;
 }
 
@@ -135,14 +188,13 @@ Technique software_technique() {
   t.render = [pool = std::make_shared<BufferPool>()](const Scene& scene, const Plan& plan, const View& view,
                                                      Progress& progress) {
     refuse_beyond_limits(view);
-    const double begin = cpu_ms();
     std::unique_ptr<Buffers> buffers = pool->take();
     Frame frame = scene.shading.precision == Precision::double_precision
                       ? draw<double>(scene, plan, view, progress, *buffers)
                       : draw<float>(scene, plan, view, progress, *buffers);
-    for (DrawnObject& o : buffers->drawing.objects) o.surface.reset();  // keep memory, not meshes
+    if (!view.reuse)
+      for (DrawnObject& o : buffers->drawing.objects) o.surface.reset();  // keep memory, not meshes
     pool->give(std::move(buffers));
-    frame.cpu_ms = cpu_ms() - begin;
     return frame;
   };
   return t;

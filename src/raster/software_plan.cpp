@@ -1,18 +1,16 @@
 #include "raster/software_plan.h"
 
 #include "raster/deferred_shading.h"
-#include "shading/light_notes.h"
+#include "shading/plan_maker.h"
 #include "shading/surface_cache.h"
 
 namespace cg {
 
 namespace {
 
-// What the scene holds, counted for the plan.
-struct Counts {
-  std::size_t objects = 0, vertices = 0, triangles = 0, pixels = 0;
-  std::size_t bad_normals = 0, unplaced = 0;  // unplaced: objects whose matrix is not finite in float
-  bool crosses = false;                       // something reaches out of the view volume
+struct Counts : DrawnCounts {
+  std::size_t pixels = 0;
+  bool crosses = false;  // something reaches out of the view volume
 };
 
 // Does the box around the mesh reach out of the view volume, or nearly? Rounding must not decide, hence the margin.
@@ -27,131 +25,111 @@ bool reaches_out(const Mesh& mesh, const glm::dmat4& to_clip) {
   return false;
 }
 
-bool is_finite(const glm::mat4& m) {
-  for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(m[c][r])) return false;
-  return true;
-}
-
+template <class Real>
 Counts count(const Scene& scene, const View& view) {
   Counts n;
   n.pixels = std::size_t(std::max(view.width, 0)) * std::size_t(std::max(view.height, 0));
   if (n.pixels == 0) return n;
   const double aspect = double(view.width) / double(view.height);
-  const glm::dmat4 to_clip = projection_matrix(scene.camera, aspect) * view_matrix(scene.camera);
+  const glm::dmat4 world_to_eye = view_matrix(scene.camera);
+  const glm::dmat4 to_clip = projection_matrix(scene.camera, aspect) * world_to_eye;
   const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  const auto lighting = lighting_in_eye_space<Real>(scene, world_to_eye);
   for (const Object& o : scene.objects) {
     if (!o.visible || !o.mesh) continue;
     const SurfaceHandle surface = surface_cache().get(o.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
-    ++n.objects;
-    n.vertices += surface->positions.size();
-    n.triangles += surface->triangle_count();
-    n.bad_normals += surface->bad_normals;
+    if (surface->triangle_count() == 0) continue;
+    const glm::mat4 to_eye(surface_to_eye(scene, o, *surface));
+    if (!can_be_placed(to_eye, surface_to_clip(projection, to_eye))) {
+      ++n.unplaced;
+      continue;
+    }
+    n.add(surface);
+    n.parts |= light_parts(lighting, eye_material<Real>(material_of(scene, o), scene.shading.color_material));
     n.crosses = n.crosses || reaches_out(*o.mesh, to_clip * matrix(o.transform));
-    if (!is_finite(surface_to_clip(projection, glm::mat4(surface_to_eye(scene, o, *surface))))) ++n.unplaced;
   }
   return n;
 }
 
-Pass pass(std::string id, Words name, bool needed, Text reason, std::size_t bytes) {
-  return {std::move(id), name, needed, std::move(reason), needed ? bytes : 0};
+void add_geometry_passes(const View& view, const Counts& n, PlanMaker& p) {
+  p.add({"transform", {"Transform", "座標変換"}}, true,
+        counted(n.vertices, " vertices to window coordinates", " 頂点をウィンドウ座標へ"), {},
+        n.vertices * sizeof(WindowVertex));
+  Pass& clip = p.add({"clip", {"Clip", "クリッピング"}}, n.crosses,
+                     Words{"something reaches out of the view volume", "視体積からはみ出すものがある"},
+                     Words{"everything lies inside the view volume", "すべて視体積の中にある"});
+  clip.bytes_open = clip.needed;
+  p.add({"visibility", {"Visibility (z-buffer)", "可視判定（z バッファ）"}}, true,
+        counted(n.triangles, " triangles, both faces", " 三角形の両面"), {},
+        VisibilityBuffer::bytes(view.width, view.height));
+  Pass& bands = p.add({"bands", {"Triangles by rows", "行ごとの三角形"}, PassKind::resource}, view.threads > 1,
+                      Words{"each thread draws rows of its own", "スレッドごとに別の行を描く"},
+                      Words{"one thread draws all rows", "1 つのスレッドがすべての行を描く"});
+  bands.bytes_open = bands.needed;
 }
 
-Text counted(std::size_t n, std::string_view en, std::string_view ja) {
-  return {std::to_string(n) + std::string(en), std::to_string(n) + std::string(ja)};
+void add_lighting_passes(const Scene& scene, const Counts& n, PlanMaker& p) {
+  const Shading& s = scene.shading;
+  const std::size_t vector = s.precision == Precision::double_precision ? sizeof(glm::dvec3) : sizeof(glm::vec3);
+  const Words mode = names_of<ShadingMode>[std::size_t(s.mode)].label;
+  const Text other{"shading is " + std::string(mode.en), std::string(mode.ja) + "シェーディングなので不要"};
+  const bool flat = s.mode == ShadingMode::flat, gouraud = s.mode == ShadingMode::gouraud,
+             phong = s.mode == ShadingMode::phong;
+  p.add({"mark-visible", {"Mark what is visible", "見える頂点の印づけ"}}, true,
+        Words{"only vertices of visible faces are lit", "見える面の頂点だけを照らす"}, {}, n.triangles + n.vertices);
+  p.add({"face-lighting", {"Light faces", "面の光源計算"}}, flat,
+        Words{"once for each visible face, at its last vertex", "見える面ごとに 1 回、最後の頂点で"}, other,
+        n.vertices * vector);
+  p.add({"vertex-lighting", {"Light vertices", "頂点の光源計算"}}, gouraud,
+        Words{"once for each vertex of a visible face", "見える面の頂点ごとに 1 回"}, other, n.vertices * vector);
+  p.add({"interpolation", {"Fill with colour", "色の塗りつぶし"}}, !phong,
+        flat ? Words{"each face has one colour", "面ごとに 1 色"}
+             : Words{"the vertices' colours, interpolated", "頂点の色を補間する"},
+        other);
+  const bool position = n.parts.position(s.local_viewer), normal = n.parts.normal();
+  p.add({"vertex-to-eye", {"Points and normals to the eye", "点と法線を視点座標へ"}}, phong && (position || normal),
+        position && normal ? Words{"the light depends on P and N", "光源計算が P と N に依存する"}
+        : normal ? Words{"the light depends on N, not on P", "光源計算は N に依存し、P には依存しない"}
+                 : Words{"the light depends on P, not on N", "光源計算は P に依存し、N には依存しない"},
+        phong ? Text(Words{"the light depends neither on P nor on N", "光源計算が P にも N にも依存しない"}) : other,
+        n.vertices * vector * (std::size_t(position) + std::size_t(normal)));
+  p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}}, phong,
+        Words{"once for each visible pixel", "見える画素ごとに 1 回"}, other);
 }
 
-void add_geometry_passes(const Counts& n, bool draws, Plan& plan) {
-  const Text nothing_to_draw{"there is nothing to draw", "描くものがない"};
-  plan.passes.push_back(
-      pass("transform", {"Transform", "座標変換"}, draws,
-           draws ? counted(n.vertices, " vertices to window coordinates", " 頂点をウィンドウ座標へ") : nothing_to_draw,
-           n.vertices * sizeof(WindowVertex)));
-  const bool clips = draws && n.crosses;
-  plan.passes.push_back(pass("clip", {"Clip", "クリッピング"}, clips,
-                             clips ? Text{"something reaches out of the view volume", "視体積からはみ出すものがある"}
-                             : draws ? Text{"everything lies inside the view volume", "すべて視体積の中にある"}
-                                     : nothing_to_draw,
-                             0));
-  plan.passes.push_back(pass("visibility", {"Visibility (z-buffer)", "可視判定（z バッファ）"}, draws,
-                             draws ? counted(n.triangles, " triangles, both faces", " 三角形の両面") : nothing_to_draw,
-                             n.pixels * (sizeof(float) + sizeof(std::uint32_t))));
-}
-
-void add_lighting_passes(const Scene& scene, const Counts& n, bool draws, Plan& plan) {
-  const ShadingMode mode = scene.shading.mode;
-  const std::size_t vector = scene.shading.precision == Precision::double_precision ? sizeof(glm::dvec3)  //
-                                                                                    : sizeof(glm::vec3);
-  const std::size_t faces = scene.shading.two_sided ? 2 : 1;
-  const auto in_mode = [&](ShadingMode m, Words name, Text reason) {
-    const auto& names = names_of<ShadingMode>;
-    const Words mode_name = names[std::size_t(mode)].label;
-    (void)name;
-    return !draws      ? Text{"there is nothing to draw", "描くものがない"}
-           : mode == m ? reason
-                       : Text{"shading is " + std::string(mode_name.en),
-                              std::string(mode_name.ja) + "シェーディングなので不要"};
-  };
-  const Words face{"Light faces", "面の光源計算"}, vertex{"Light vertices", "頂点の光源計算"},
-      pixel{"Light pixels", "画素の光源計算"};
-  plan.passes.push_back(
-      pass("face-lighting", face, draws && mode == ShadingMode::flat,
-           in_mode(ShadingMode::flat, face,
-                   {"once for each visible face, at its last vertex", "見える面ごとに 1 回、最後の頂点で"}),
-           n.vertices * vector * faces));
-  plan.passes.push_back(pass(
-      "vertex-lighting", vertex, draws && mode == ShadingMode::gouraud,
-      in_mode(ShadingMode::gouraud, vertex, {"once for each vertex of a visible face", "見える面の頂点ごとに 1 回"}),
-      n.vertices * vector * faces));
-  plan.passes.push_back(
-      pass("pixel-lighting", pixel, draws && mode == ShadingMode::phong,
-           in_mode(ShadingMode::phong, pixel, {"once for each visible pixel", "見える画素ごとに 1 回"}),
-           n.vertices * vector * 2));
-  const bool two = draws && scene.shading.two_sided;
-  plan.passes.push_back(pass("two-sides", {"Second side", "裏面の光源計算"}, two,
-                             two     ? Text{"back faces are lit with -N", "裏面は -N で照らす"}
-                             : draws ? Text{"one-sided lighting", "片面の光源計算"}
-                                     : Text{"there is nothing to draw", "描くものがない"},
-                             0));
-}
-
-void add_notes(const Scene& scene, const Counts& n, Plan& plan) {
-  if (n.unplaced > 0)
-    plan.notes.push_back(counted(n.unplaced, " objects are too large or too far for the picture's numbers: left out",
-                                 " 個の物体は大きすぎるか遠すぎて描けないので省く"));
-  if (n.bad_normals > 0)
-    plan.notes.push_back(counted(n.bad_normals, " vertices have no normal: no diffuse and no specular light there",
-                                 " 頂点に法線がなく、拡散光も鏡面光も計算されない"));
-  for (Text& note : light_notes(scene)) plan.notes.push_back(std::move(note));
-  bool ray_traced = false;
-  for (const Object& o : scene.objects) {
-    const Material& m = material_of(scene, o);
-    ray_traced = ray_traced || (o.visible && (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0)));
-  }
-  if (ray_traced)
-    plan.notes.push_back(
-        {"k_r I_r and k_t I_t need ray tracing: left out", "k_r I_r と k_t I_t はレイトレーシングが必要なので省く"});
+// The other side's colours and marks stand beside the front's.
+void add_second_side(const Scene& scene, const Counts& n, Plan& plan) {
+  const std::size_t vector =
+      scene.shading.precision == Precision::double_precision ? sizeof(glm::dvec3) : sizeof(glm::vec3);
+  for (Pass& pass : plan.passes)
+    if (pass.id == "two-sides" && pass.needed)
+      pass.bytes = n.vertices * (1 + (scene.shading.mode == ShadingMode::phong ? 0 : vector));
 }
 
 }  // namespace
 
 Plan software_plan(const Scene& scene, const View& view) {
-  const Counts n = count(scene, view);
-  const bool draws = n.pixels > 0 && n.triangles > 0;
+  const Counts n =
+      scene.shading.precision == Precision::double_precision ? count<double>(scene, view) : count<float>(scene, view);
   Plan plan;
   plan.technique = "software";
-  add_geometry_passes(n, draws, plan);
-  add_lighting_passes(scene, n, draws, plan);
-  const auto on_demand = [&](std::string id, Words name, bool wanted, std::size_t bytes) {
-    plan.passes.push_back(pass(std::move(id), name, draws && wanted,
-                               wanted ? Text{"asked for", "求められた"} : Text{"not asked for", "求められていない"},
-                               bytes));
+  PlanMaker p(plan, n.pixels > 0 && n.triangles > 0);
+  p.add({"picture", {"Picture", "画像"}, PassKind::resource, true}, n.pixels > 0,
+        Words{"colour, depth and coverage of each pixel", "画素ごとの色、奥行き、被覆"},
+        Words{"the picture has no pixels", "画素がない"},
+        n.pixels * (sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint8_t)));
+  add_surfaces(n, p);
+  add_geometry_passes(view, n, p);
+  add_lighting_passes(scene, n, p);
+  add_light_parts(scene, n.parts, p);
+  add_second_side(scene, n, plan);
+  const auto on_demand = [&](const char* id, Words name, bool wanted, std::size_t bytes) {
+    p.add({id, name, PassKind::pass, true}, wanted && n.pixels > 0, asked_for(true), asked_for(wanted), bytes);
   };
   on_demand("ids", {"Triangle and object numbers", "三角形と物体の番号"}, view.ids,
             n.pixels * 2 * sizeof(std::int32_t));
   on_demand("normals", {"Normals", "法線"}, view.normals, n.pixels * sizeof(glm::vec3));
-  add_notes(scene, n, plan);
+  add_general_notes(scene, n, p);
   return plan;
 }
 

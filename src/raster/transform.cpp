@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "scene/pass_recorder.h"
+
 namespace cg {
 
 namespace {
@@ -49,7 +51,7 @@ WindowVertex to_window(const glm::vec4& clip, const Viewport& viewport, bool mad
 std::uint32_t transform_vertices(const std::vector<glm::vec3>& positions, const glm::mat4& surface_to_clip,
                                  const Viewport& viewport, Workers& workers, std::vector<WindowVertex>& out) {
   constexpr std::size_t part_size = 16384;
-  out.resize(positions.size());
+  fit(out, positions.size());
   std::atomic<std::uint32_t> all{0};
   workers.for_each(part_count(positions.size(), part_size), [&](int i) {
     const Part part = part_of(positions.size(), part_size, i);

@@ -1,6 +1,7 @@
 #include "raster/visibility.h"
 
 #include "raster/triangle_raster.h"
+#include "scene/pass_recorder.h"
 
 namespace cg {
 
@@ -46,12 +47,18 @@ void sort_into_bands(const Drawing& drawing, int height, int band_rows, int band
 
 }  // namespace
 
+// Odd: tiles above each other would contend for the same cache lines if they were a power of two apart.
+unsigned VisibilityBuffer::groups_a_row(int w) { return unsigned(w + lanes - 1) / lanes | 1u; }
+
+std::size_t VisibilityBuffer::bytes(int w, int h) {
+  return std::size_t(whole_tiles(h)) * groups_a_row(w) * sizeof(PixelGroup);
+}
+
 void VisibilityBuffer::resize(int w, int h) {
   width = w, height = h;
-  // Odd: tiles above each other would contend for the same cache lines if they were a power of two apart.
-  groups_a_row_ = unsigned(w + lanes - 1) / lanes | 1u;
+  groups_a_row_ = groups_a_row(w);
   first_tile_row_ = 0;
-  groups_.resize(std::size_t(tile_rows()) * groups_a_row_ * tile_height);
+  fit(groups_, bytes(w, h) / sizeof(PixelGroup));
 }
 
 void VisibilityBuffer::clear_around_row(int w, int h, int y) {
@@ -73,7 +80,7 @@ void VisibilityBuffer::clear_tile_row(int tile_y) {
             PixelGroup{Lanes<float>{} + 1.0f, Lanes<std::uint32_t>{} + no_triangle});
 }
 
-void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out) {
+std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out) {
   std::vector<TrianglePart> parts = parts_of(drawing);
   if (workers.threads() == 1) {  // one band: no sorting
     out.clear(out.width, out.height);
@@ -83,7 +90,7 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
         draw_triangle({&out, 0, out.height}, triangle...);
       });
     });
-    return;
+    return 0;
   }
   // More bands than threads, so that a thread whose bands are empty takes another's.
   const int band_count = std::min(8 * workers.threads(), std::max(out.height, 1));
@@ -102,6 +109,10 @@ void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& ou
       }
     }
   });
+  std::size_t sorted = 0;
+  for (const TrianglePart& part : parts)
+    for (const auto& list : part.of_band) sorted += bytes_of(list);
+  return sorted;
 }
 
 std::uint32_t visible_at(const Drawing& drawing, int width, int height, int x, int y) {

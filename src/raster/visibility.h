@@ -25,6 +25,9 @@ class VisibilityBuffer {
  public:
   int width = 0, height = 0;
 
+  // Of a picture of that size.
+  static std::size_t bytes(int w, int h);
+  std::size_t bytes() const { return groups_.capacity() * sizeof(PixelGroup); }
   // Room for a picture; its pixels mean nothing before they are cleared.
   void resize(int w, int h);
   // Room for the tiles with row y alone, cleared.
@@ -42,6 +45,7 @@ class VisibilityBuffer {
   static constexpr int tile_height = 8;
 
  private:
+  static unsigned groups_a_row(int w);
   std::size_t index(int x, int y) const {
     const unsigned row = unsigned(y),
                    tile = (row / tile_height - first_tile_row_) * groups_a_row_ + unsigned(x) / lanes;
@@ -53,7 +57,8 @@ class VisibilityBuffer {
 
 // Fills `out`, of the picture's size. Of triangles at the same depth the one drawn first stays, as with
 // GL_LESS. Both faces are drawn.
-void find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out);
+// Returns the bytes of what it sorted for several threads.
+std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out);
 
 // The same for the pixel (x, y) of a picture of width x height, row 0 at the top: the number of its triangle, or
 // no_triangle.

@@ -8,6 +8,8 @@
 //   gl_Position = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]
 // with this matrix as its uniform gets the same bits.
 #pragma once
+#include <cmath>
+
 #include "math/transform.h"
 #include "scene/scene.h"
 #include "shading/surface.h"
@@ -34,6 +36,15 @@ inline glm::mat4 surface_to_clip(const glm::mat4& eye_to_clip, const glm::mat4& 
                         eye_to_clip[2][row] * surface_to_eye[column][2]) +
                        eye_to_clip[3][row] * surface_to_eye[column][3];
   return m;
+}
+
+// Whether an object with these two matrices can be drawn at all: all of their numbers are finite.
+inline bool can_be_placed(const glm::mat4& surface_to_eye, const glm::mat4& surface_to_clip) {
+  for (const glm::mat4& m : {surface_to_eye, surface_to_clip})
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r)
+        if (!std::isfinite(m[c][r])) return false;
+  return true;
 }
 
 // A position of Surface::positions in clip space.

@@ -23,6 +23,13 @@ struct Surface {
   std::vector<std::uint32_t> triangle;  // Mesh::triangles() index of each; degenerate ones are left out
   std::size_t bad_normals = 0;          // zero: such vertices get no diffuse and no specular term
 
+  double made_ms = 0;  // CPU time of the thread that made it
+
+  // Of the memory that it holds.
+  std::size_t bytes() const {
+    return (positions.capacity() + normals.capacity()) * sizeof(glm::vec3) +
+           (indices.capacity() + triangle.capacity()) * sizeof(std::uint32_t);
+  }
   std::size_t triangle_count() const { return triangle.size(); }
   // Surface to mesh coordinates: to be multiplied into the object's matrix, in double.
   glm::dmat4 to_mesh() const { return {{radius, 0, 0, 0}, {0, radius, 0, 0}, {0, 0, radius, 0}, {centre, 1}}; }
