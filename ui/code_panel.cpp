@@ -138,7 +138,7 @@ void draw_line(App& app, std::size_t index, const LinePlace& p) {
   float x0 = p.at.x + p.gutter;
   const float baseline = p.at.y + std::floor(0.5f * (p.height - font->FontSize)) + font->Ascent;
   std::size_t number = 0;
-  for (const CodeRun& run : code_runs(line)) {
+  for (const ListingRun& run : code_runs(line)) {
     const ImVec2 at{x0 + letter * float(run.begin), p.at.y};
     const std::string_view text = std::string_view(line.text).substr(run.begin, run.end - run.begin);
     if (run.ink == CodeInk::number && !line.numbers[number].path.empty() && !asks)

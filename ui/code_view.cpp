@@ -19,7 +19,7 @@ bool about_camera(const ListingLine& line) {
 bool word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // C's words and signs in text[begin, end).
-void append_plain_runs(std::string_view text, std::size_t begin, std::size_t end, std::vector<CodeRun>& runs) {
+void append_plain_runs(std::string_view text, std::size_t begin, std::size_t end, std::vector<ListingRun>& runs) {
   while (begin < end) {
     std::size_t stop = begin;
     const bool word = word_letter(text[begin]);
@@ -80,9 +80,9 @@ void CodeView::find_sections() {
   add(Words{"Mesh", "形"}, -1, [](const ListingLine& l) { return l.comment && l.text == "/* draw_mesh() */"; });
 }
 
-std::vector<CodeRun> code_runs(const ListingLine& line) {
+std::vector<ListingRun> code_runs(const ListingLine& line) {
   if (line.comment) return {{0, line.text.size(), CodeInk::comment}};
-  std::vector<CodeRun> runs;
+  std::vector<ListingRun> runs;
   std::size_t at = 0;
   for (const ListingNumber& number : line.numbers) {
     append_plain_runs(line.text, at, number.begin, runs);

@@ -51,12 +51,12 @@ struct CodeView {
 
 // A run of letters in one colour.
 enum class CodeInk { plain, quiet, comment, number };
-struct CodeRun {
+struct ListingRun {
   std::size_t begin = 0, end = 0;
   CodeInk ink = CodeInk::plain;
 };
 // The line as runs, from left to right, without gaps: its numbers, and between them C's words and signs.
-std::vector<CodeRun> code_runs(const ListingLine& line);
+std::vector<ListingRun> code_runs(const ListingLine& line);
 
 // One number of the listing with its top left corner at `at`: shown, dragged, typed, set back. Returns how much more
 // room than its letters it takes: the field in which it is typed is wider.

@@ -126,7 +126,7 @@ TEST_F(CodePanel, RunsCoverEachLineOnce) {
   for (const ListingLine& line : app.code.listing.lines) {
     std::string text;
     std::size_t numbers = 0;
-    for (const CodeRun& run : code_runs(line)) {
+    for (const ListingRun& run : code_runs(line)) {
       text += line.text.substr(run.begin, run.end - run.begin);
       numbers += run.ink == CodeInk::number;
     }
