@@ -52,27 +52,35 @@ void FrameTarget::bind(int width, int height, Layers layers) {
   }
   refuse_beyond_limits(width, height);
   release();
-  glGenFramebuffers(1, &framebuffer_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  auto attach = [&](GLenum format, GLenum attachment) {
+  const GLsizei samples = layers.ids || layers.normals || layers.samples < 2 ? 0 : layers.samples;
+  auto attach = [&](GLenum format, GLenum attachment, GLsizei samples) {
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
     renderbuffers_.push_back(buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
   };
+  const GLenum colour = like_a_window_ ? GL_RGBA8 : GL_RGBA32F;
+  if (samples > 0) {
+    glGenFramebuffers(1, &resolved_);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
+    attach(colour, GL_COLOR_ATTACHMENT0, 0);
+    attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, 0);
+  }
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   std::vector<GLenum> outputs{GL_COLOR_ATTACHMENT0};
-  attach(like_a_window_ ? GL_RGBA8 : GL_RGBA32F, GL_COLOR_ATTACHMENT0);
+  attach(colour, GL_COLOR_ATTACHMENT0, samples);
   if (layers.ids) {
     outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
-    attach(GL_RG32I, outputs.back());
+    attach(GL_RG32I, outputs.back(), 0);
   }
   if (layers.normals) {
     outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
-    attach(GL_RGBA32F, outputs.back());
+    attach(GL_RGBA32F, outputs.back(), 0);
   }
-  attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+  attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples);
   if (like_a_window_ && epoxy_has_gl_extension("GL_MESA_framebuffer_flip_y"))
     glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
   glDrawBuffers(GLsizei(outputs.size()), outputs.data());
@@ -100,10 +108,19 @@ void FrameTarget::clear(const glm::vec3& background) const {
   glClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
+void FrameTarget::resolve() const {
+  if (!resolved_) return;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                    GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
+}
+
 void FrameTarget::release() {
   if (framebuffer_) glDeleteFramebuffers(1, &framebuffer_);
+  if (resolved_) glDeleteFramebuffers(1, &resolved_);
   if (!renderbuffers_.empty()) glDeleteRenderbuffers(GLsizei(renderbuffers_.size()), renderbuffers_.data());
-  framebuffer_ = 0;
+  framebuffer_ = resolved_ = 0;
   renderbuffers_.clear();
   width_ = height_ = 0;
 }

@@ -24,6 +24,7 @@ class FrameTarget {
   struct Layers {
     bool ids = false;      // colour attachment 1: RG32I, object and primitive
     bool normals = false;  // colour attachment 2 (1 without ids): RGBA32F
+    int samples = 1;       // a pixel; only without ids and normals
     friend bool operator==(const Layers&, const Layers&) = default;
   };
 
@@ -31,6 +32,8 @@ class FrameTarget {
   // beyond OpenGL's limits. `attachment` numbers: layers are bound to fragment outputs 0, 1, 2 in that order.
   void bind(int width, int height, Layers layers);
   void clear(const glm::vec3& background) const;
+  // After drawing, before reading: of several samples the mean, and of depths one.
+  void resolve() const;
   void release();
 
   // From what is bound into layers of this size. Colours that are NaN or infinite become 0 and are counted.
@@ -48,7 +51,7 @@ class FrameTarget {
   const bool like_a_window_;
   int width_ = 0, height_ = 0;
   Layers layers_;
-  GLuint framebuffer_ = 0;
+  GLuint framebuffer_ = 0, resolved_ = 0;  // resolved_: of several samples a pixel; else 0
   std::vector<GLuint> renderbuffers_;
 };
 

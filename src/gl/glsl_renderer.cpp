@@ -26,7 +26,7 @@ Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& vie
   const bool ids = plan.runs("ids"), normals = plan.runs("normals");
   throw_if_cancelled(progress);
 
-  target_.bind(view.width, view.height, {ids, normals});
+  target_.bind(view.width, view.height, {ids, normals, view.samples});
   Frame frame = empty_frame(view);
   for (const DrawItem& item : items) buffers_.get(item.surface);
   const double start = process_cpu_ms();
@@ -57,6 +57,7 @@ Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& vie
     surface.draw();
     progress.fraction = float(drawn.size()) / float(items.size());
   }
+  target_.resolve();
   glFinish();
   frame.cpu_ms = process_cpu_ms() - start;
   throw_if_cancelled(progress);

@@ -1,5 +1,6 @@
 #include "gl/techniques.h"
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -41,7 +42,29 @@ class Threaded {
 
   std::optional<Text> failure() const { return thread_.failure(); }
 
+  std::string device() {
+    std::string name;
+    ask([&] {
+      if (const GLubyte* renderer = glGetString(GL_RENDERER)) name = reinterpret_cast<const char*>(renderer);
+    });
+    return name;
+  }
+
+  int most_samples() {
+    GLint most = 1;
+    ask([&] { glGetIntegerv(GL_MAX_SAMPLES, &most); });
+    return std::max(most, 1);
+  }
+
  private:
+  // Where there is no context the question has no answer.
+  void ask(const std::function<void()>& question) {
+    try {
+      thread_.run(question);
+    } catch (const NoContext&) {
+    }
+  }
+
   Renderer renderer_;
   GlThread thread_;  // ends first
 };
@@ -60,6 +83,8 @@ Technique technique(std::string id, Words name, GlProfile profile, Plan (*plan)(
     return failure ? failure : unsupported(scene);
   };
   t.plan = plan;
+  t.device = [gl] { return gl->device(); };
+  if constexpr (std::is_same_v<Renderer, GlslRenderer>) t.most_samples = [gl] { return gl->most_samples(); };
   t.render = [gl, id](const Scene& scene, const Plan& plan, const View& view, Progress& progress) {
     return gl->render(id, scene, plan, view, progress);
   };

@@ -16,6 +16,7 @@ struct View {
   bool ids = false;               // also fill Frame::triangle and Frame::object
   bool normals = false;           // also fill Frame::normal
   bool reuse = false;             // what the picture before computed may be taken where it is the same
+  int samples = 1;                // a pixel, up to Technique::most_samples; 1 where ids or normals are asked for
   friend bool operator==(const View&, const View&) = default;
 };
 
