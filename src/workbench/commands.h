@@ -21,7 +21,7 @@ struct Arguments {
   bool json = false;
   std::string report;  // a folder
   bool check = false;
-  std::string knob;  // of a trade
+  std::string knob, repeats;  // of a trade
   bool list = false;
 };
 

@@ -1,0 +1,18 @@
+// Each knob's maker, one a file; knobs.cpp lists them.
+#pragma once
+#include "measure/knob.h"
+
+namespace cg {
+
+Knob shading_knob();
+Knob silhouette_knob();
+Knob normals_knob();
+Knob precision_knob();
+Knob reflection_knob();
+Knob supersampling_knob();
+Knob multisampling_knob();
+Knob resolution_knob();
+Knob near_plane_knob();
+Knob z_fighting_knob();
+
+}  // namespace cg
