@@ -8,9 +8,7 @@
 #include "ui/app.h"
 #include "ui/layout.h"
 #include "ui/lines.h"
-#include "ui/opening.h"
 #include "ui/widgets.h"
-#include "workbench/environment.h"
 #include "workbench/export.h"
 
 namespace cg {
@@ -54,7 +52,10 @@ Text afterwards(ExportFormat format, const std::string& file) {
 void save(App& app, ExportFormat format, const std::string& file) {
   app.errands->run(app, [scene = app.scene, format, file, language = app.language()]() -> Errands::Done {
     save_export(scene, format, file, language);
-    return [format, file](App& a) { say_saved(a, file, afterwards(format, file)); };
+    return [format, file](App& a) {
+      const Text more = afterwards(format, file);
+      say(a, Text("Saved " + file + more.en, file + " に保存しました" + more.ja));
+    };
   });
 }
 
@@ -100,10 +101,10 @@ bool draw_export_dialogue(App& app) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + app.look.px(560));
   write(app, use_of(format));
   ImGui::PopTextWrapPos();
-  const bool entered = save_field(app, Words{}, 560);
+  const bool entered = path_field(app, Words{}, 560);
   ImGui::Dummy({1, app.look.px(4)});
   if ((button(app, "save", {.label = Words{"Save", "保存"}.in(l), .chosen = true}) || entered) && !d.text.empty()) {
-    save(app, format, typed_path(d.text).string());
+    save(app, format, d.text);
     return true;
   }
   ImGui::SameLine(0, app.look.px(6));

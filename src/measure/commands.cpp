@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "measure/extreme_command.h"
 #include "measure/plot.h"
 #include "params/file.h"
 #include "workbench/command_parts.h"
@@ -121,7 +122,7 @@ std::vector<CommandOffer> measure_commands() {
             .help = {"One JSON object on stdout", "JSON で出力する"},
             .flag = &Arguments::json}},
       .draws = true};
-  return {std::move(trade)};
+  return {std::move(trade), extremes_command()};
 }
 
 }  // namespace cg
