@@ -9,6 +9,7 @@
 #include "ui/export_dialogue.h"
 #include "ui/layout.h"
 #include "ui/widgets.h"
+#include "workbench/environment.h"
 #include "workbench/model_library.h"
 
 namespace cg {
@@ -49,7 +50,7 @@ void draw_open(App& app) {
   if (path_field(app, {"A model file, a preset or a name; or drop a file on the window",
                        "モデルファイル・プリセット・名前（ウィンドウへのドロップも可）"}) &&
       !app.dialogue.text.empty())
-    picked = app.dialogue.text;
+    picked = typed_path(app.dialogue.text).string();
   std::vector<std::pair<std::string, std::string>> names;
   for (const Shape& s : shapes()) names.emplace_back(std::string(s.id), std::string(s.label.in(l)));
   if (auto p = pick_name(app, {"Shapes", "基本の形"}, names); !p.empty()) picked = p;
@@ -66,11 +67,11 @@ void draw_open(App& app) {
 }
 
 void draw_save(App& app) {
-  const bool entered = path_field(app, {"scene.json", "scene.json"});
+  const bool entered = save_field(app, {"scene.json", "scene.json"});
   ImGui::Dummy({1, app.look.px(4)});
   if ((button(app, "save", {.label = Words{"Save", "保存"}.in(app.language())}) || entered) &&
       !app.dialogue.text.empty()) {
-    save_as(app, app.dialogue.text);
+    save_as(app, typed_path(app.dialogue.text));
     close(app);
   }
 }
@@ -86,6 +87,14 @@ bool path_field(App& app, const Words& hint, float width) {
   return ImGui::InputTextWithHint("##path", shown.c_str(), &app.dialogue.text,
                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll) ||
          early;
+}
+
+bool save_field(App& app, const Words& hint, float width) {
+  const bool entered = path_field(app, hint, width);
+  const std::filesystem::path file = typed_path(app.dialogue.text);
+  const std::string folder = shown_path(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+  heading(app, Text("in " + folder, "フォルダ: " + folder).in(app.language()));
+  return entered;
 }
 
 void draw_dialogues(App& app) {

@@ -8,7 +8,9 @@
 #include "ui/app.h"
 #include "ui/layout.h"
 #include "ui/lines.h"
+#include "ui/opening.h"
 #include "ui/widgets.h"
+#include "workbench/environment.h"
 #include "workbench/export.h"
 
 namespace cg {
@@ -52,10 +54,7 @@ Text afterwards(ExportFormat format, const std::string& file) {
 void save(App& app, ExportFormat format, const std::string& file) {
   app.errands->run(app, [scene = app.scene, format, file, language = app.language()]() -> Errands::Done {
     save_export(scene, format, file, language);
-    return [format, file](App& a) {
-      const Text more = afterwards(format, file);
-      say(a, Text("Saved " + file + more.en, file + " に保存しました" + more.ja));
-    };
+    return [format, file](App& a) { say_saved(a, file, afterwards(format, file)); };
   });
 }
 
@@ -101,10 +100,10 @@ bool draw_export_dialogue(App& app) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + app.look.px(560));
   write(app, use_of(format));
   ImGui::PopTextWrapPos();
-  const bool entered = path_field(app, Words{}, 560);
+  const bool entered = save_field(app, Words{}, 560);
   ImGui::Dummy({1, app.look.px(4)});
   if ((button(app, "save", {.label = Words{"Save", "保存"}.in(l), .chosen = true}) || entered) && !d.text.empty()) {
-    save(app, format, d.text);
+    save(app, format, typed_path(d.text).string());
     return true;
   }
   ImGui::SameLine(0, app.look.px(6));

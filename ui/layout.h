@@ -36,6 +36,7 @@ void draw_dialogues(App& app);
 // A dialogue's path, `width` wide at scale 1; true when Enter takes it, in the field or with none at work (a key may
 // come in the frame in which the dialogue opens).
 bool path_field(App& app, const Words& hint, float width = 520);
-bool draw_picture_dialogue(App& app);  // into the popup; true when it is done
+bool save_field(App& app, const Words& hint, float width = 520);  // with the folder under it
+bool draw_picture_dialogue(App& app);                             // into the popup; true when it is done
 
 }  // namespace cg

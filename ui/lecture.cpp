@@ -10,6 +10,7 @@
 #include "ui/app.h"
 #include "ui/lesson_player.h"
 #include "ui/lines.h"
+#include "ui/opening.h"
 #include "ui/widgets.h"
 #include "workbench/environment.h"
 #include "workbench/isolate.h"
@@ -60,7 +61,7 @@ void save(App& app, const fs::path& folder) {
     save_lecture(entries, folder, {"Lecture " + today(), "講義 " + today()});
     return [folder](App& a) {
       lessons_of(a).refresh_list();
-      say(a, Text("Saved " + folder.string(), folder.string() + " に保存しました"));
+      say_saved(a, folder);
     };
   });
 }

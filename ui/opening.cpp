@@ -7,6 +7,7 @@
 #include "image/image_file.h"
 #include "ui/app.h"
 #include "ui/quiz.h"
+#include "workbench/environment.h"
 #include "workbench/import.h"
 #include "workbench/model_library.h"
 #include "workbench/open.h"
@@ -119,6 +120,11 @@ void save_or_ask(App& app) {
     save_as(app, app.preset);
 }
 
+void say_saved(App& app, const std::filesystem::path& file, const Text& more) {
+  const std::string place = shown_path(file);
+  say(app, Text("Saved " + place + more.en, place + " に保存しました" + more.ja));
+}
+
 void save_picture(App& app, std::filesystem::path file) {
   const Recorded what = app.settings.picture;
   const DrawingHandle one = app.drawings[what == Recorded::right ? 1 : 0];
@@ -126,7 +132,7 @@ void save_picture(App& app, std::filesystem::path file) {
   if (!one || (what == Recorded::both && !two)) return;
   app.errands->run(app, [file, one, two]() -> Errands::Done {
     write_image(file, two ? beside(one->frame.colour, two->frame.colour) : one->frame.colour, one->scene.display);
-    return [file](App& a) { say(a, Text("Saved " + file.string(), file.string() + " に保存しました")); };
+    return [file](App& a) { say_saved(a, file); };
   });
 }
 
@@ -137,7 +143,7 @@ void save_as(App& app, std::filesystem::path file) {
     return [file](App& a) {
       a.preset = file.string();
       add_recent(a.recent, std::filesystem::absolute(file).string());
-      say(a, Text("Saved " + file.string(), file.string() + " に保存しました"));
+      say_saved(a, file);
     };
   });
 }

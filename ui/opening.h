@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "params/words.h"
 #include "workbench/worker.h"
 
 namespace cg {
@@ -28,6 +29,9 @@ class Errands {
   std::vector<Done> done_;
   Worker worker_;  // last: it uses what stands above
 };
+
+// That the file was saved, and where.
+void say_saved(App& app, const std::filesystem::path& file, const Text& more = {});
 
 // Opens a shape, a model file or a preset in place of the scene; if that fails, nothing changes.
 void open_in_window(App& app, std::string what);

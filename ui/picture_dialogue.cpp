@@ -9,6 +9,7 @@
 #include "ui/opening.h"
 #include "ui/recording.h"
 #include "ui/widgets.h"
+#include "workbench/environment.h"
 
 namespace cg {
 namespace {
@@ -30,7 +31,7 @@ bool can_save(const App& app) {
 }
 
 void save(App& app) {
-  const fs::path file(app.dialogue.text);
+  const fs::path file = typed_path(app.dialogue.text);
   if (app.settings.picture == Recorded::window)
     recorder_of(app).save_window(file);
   else
@@ -39,7 +40,7 @@ void save(App& app) {
 
 // "clip.png" is recorded as clip.gif, or into the folder clip.
 void record(App& app) {
-  fs::path path(app.dialogue.text);
+  fs::path path = typed_path(app.dialogue.text);
   path.replace_extension(app.settings.record_as == RecordedAs::gif ? ".gif" : "");
   start_recording(app, path);
 }
@@ -48,7 +49,7 @@ void record(App& app) {
 
 bool draw_picture_dialogue(App& app) {
   const Language l = app.language();
-  const bool entered = path_field(app, {"picture.png", "picture.png"});
+  const bool entered = save_field(app, {"picture.png", "picture.png"});
   ImGui::Dummy({1, app.look.px(4)});
   int picture = int(app.settings.picture);
   if (choose(app, "picture", names_of<Recorded>, picture)) app.settings.picture = Recorded(picture);

@@ -9,6 +9,7 @@
 #include "ui/app.h"
 #include "ui/formula.h"
 #include "ui/frame_writer.h"
+#include "ui/opening.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -105,7 +106,7 @@ void Recorder::take_window(App& app, Picture picture) {
   if (!still_.empty()) {
     app.errands->run(app, [file = std::exchange(still_, {}), shared]() -> Errands::Done {
       write_image(file, *shared);
-      return [file](App& a) { say(a, Text("Saved " + file.string(), file.string() + " に保存しました")); };
+      return [file](App& a) { say_saved(a, file); };
     });
   }
   if (what_ == Recorded::window && due(app)) put(app, shared, nullptr);

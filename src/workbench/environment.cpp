@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 namespace cg {
 
@@ -32,5 +33,18 @@ std::optional<std::filesystem::path> config_folder() { return xdg_folder("XDG_CO
 std::optional<std::filesystem::path> state_folder() { return xdg_folder("XDG_STATE_HOME", ".local/state"); }
 std::optional<std::filesystem::path> data_home_folder() { return xdg_folder("XDG_DATA_HOME", ".local/share"); }
 std::optional<std::filesystem::path> cache_folder() { return xdg_folder("XDG_CACHE_HOME", ".cache"); }
+
+std::filesystem::path typed_path(std::string_view text) {
+  const std::filesystem::path home = variable("HOME");
+  return text.starts_with("~/") && home.is_absolute() ? home / text.substr(2) : std::filesystem::path(text);
+}
+
+std::string shown_path(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(file, error).lexically_normal();
+  if (error) return file.string();
+  const std::string home = (std::filesystem::path(variable("HOME")) / "").string(), text = whole.string();
+  return home.size() > 2 && text.starts_with(home) ? "~/" + text.substr(home.size()) : text;
+}
 
 }  // namespace cg

@@ -2,6 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "params/words.h"
 
@@ -16,5 +18,10 @@ std::optional<std::filesystem::path> config_folder();
 std::optional<std::filesystem::path> state_folder();
 std::optional<std::filesystem::path> cache_folder();
 std::optional<std::filesystem::path> data_home_folder();  // XDG_DATA_HOME: lessons of one's own
+
+// What a person types as a file: "~/" is the home folder.
+std::filesystem::path typed_path(std::string_view text);
+// As a person finds it again: absolute, the home folder as "~".
+std::string shown_path(const std::filesystem::path& file);
 
 }  // namespace cg
