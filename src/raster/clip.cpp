@@ -81,18 +81,24 @@ void clip_triangle(const std::array<glm::vec4, 3>& clip, std::uint32_t source, c
 
 void clip_triangles(const Surface& surface, const glm::mat4& surface_to_clip, const Viewport& viewport,
                     const std::vector<WindowVertex>& vertices, Workers& workers, std::vector<ClippedTriangle>& out) {
+  constexpr std::size_t part_size = 16384;
+  const int parts = part_count(surface.triangle_count(), part_size);
+  std::vector<std::vector<ClippedTriangle>> of_part(static_cast<std::size_t>(parts));
+  workers.for_each(parts, [&](int p) {
+    const Part part = part_of(surface.triangle_count(), part_size, p);
+    for (std::size_t t = part.begin; t < part.end; ++t) {
+      const std::uint32_t* i = &surface.indices[3 * t];
+      const std::uint32_t a = vertices[i[0]].outside, b = vertices[i[1]].outside, c = vertices[i[2]].outside;
+      const std::uint32_t any = a | b | c;
+      if (any == 0 || (a & b & c) != 0 || (any & not_finite) != 0) continue;
+      clip_triangle({clip_position(surface_to_clip, surface.positions[i[0]]),
+                     clip_position(surface_to_clip, surface.positions[i[1]]),
+                     clip_position(surface_to_clip, surface.positions[i[2]])},
+                    std::uint32_t(t), viewport, of_part[std::size_t(p)]);
+    }
+  });
   out.clear();
-  for (std::size_t t = 0; t < surface.triangle_count(); ++t) {
-    if (t % 16384 == 0) workers.check();
-    const std::uint32_t* i = &surface.indices[3 * t];
-    const std::uint32_t a = vertices[i[0]].outside, b = vertices[i[1]].outside, c = vertices[i[2]].outside;
-    const std::uint32_t any = a | b | c;
-    if (any == 0 || (a & b & c) != 0 || (any & not_finite) != 0) continue;
-    clip_triangle({clip_position(surface_to_clip, surface.positions[i[0]]),
-                   clip_position(surface_to_clip, surface.positions[i[1]]),
-                   clip_position(surface_to_clip, surface.positions[i[2]])},
-                  std::uint32_t(t), viewport, out);
-  }
+  for (const auto& clipped : of_part) out.insert(out.end(), clipped.begin(), clipped.end());
 }
 
 }  // namespace cg

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "raster/drawing.h"
 #include "tests/raster/pictures.h"
 
 namespace cg {
@@ -54,6 +55,29 @@ TEST(Clip, FloorUpToTheHorizon) {
   const Frame f = testing::draw(scene, {64, 64});
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) EXPECT_EQ(f.covered.at(x, y), y >= 32) << x << ' ' << y;
+}
+
+// Threads clip parts of a mesh, and the pieces stand in the order of the mesh all the same: of its first and of its
+// last triangles there are some, and the lists are equal.
+TEST(Clip, PiecesStandInTheMeshsOrderForAnyNumberOfThreads) {
+  Scene scene = testing::scene_of(testing::torus(300, 100));
+  scene.camera.position = {0.9, 0.2, 0.5};
+  Progress progress;
+  Workers alone(1, progress);
+  const Drawing one = drawing_of(scene, {64, 64}, alone);
+  const std::vector<ClippedTriangle>& expected = one.objects[0].clipped;
+  ASSERT_LT(expected.front().source, 16384u);
+  ASSERT_GT(expected.back().source, 2u * 16384u);
+  for (const int threads : {2, 3, 7}) {
+    Workers workers(threads, progress);
+    const Drawing drawing = drawing_of(scene, {64, 64}, workers);
+    const std::vector<ClippedTriangle>& pieces = drawing.objects[0].clipped;
+    ASSERT_EQ(pieces.size(), expected.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      EXPECT_EQ(pieces[i].source, expected[i].source) << threads;
+      EXPECT_EQ(pieces[i].weights, expected[i].weights) << threads;
+    }
+  }
 }
 
 }  // namespace
