@@ -86,9 +86,10 @@ std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuf
     out.clear(out.width, out.height);
     workers.for_each(int(parts.size()), [&](int i) {
       const TrianglePart& part = parts[std::size_t(i)];
-      for_each_triangle(drawing.objects[part.object], part.triangles, [&](const auto&... triangle) {
-        draw_triangle({&out, 0, out.height}, triangle...);
-      });
+      TriangleQueue queue({&out, 0, out.height});
+      for_each_triangle(drawing.objects[part.object], part.triangles,
+                        [&](const auto&... triangle) { queue.add(triangle...); });
+      queue.flush();
     });
     return 0;
   }
@@ -101,13 +102,13 @@ std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuf
     const Band band{&out, b * band_rows, std::min((b + 1) * band_rows, out.height)};
     for (int y = band.top; y < band.bottom; y += VisibilityBuffer::tile_height)
       out.clear_tile_row(y / VisibilityBuffer::tile_height);
+    TriangleQueue queue(band);
     for (const TrianglePart& part : parts) {
       workers.check();
-      for (const std::uint32_t id : part.of_band[std::size_t(b)]) {
-        const auto v = drawing.objects[part.object].window(id);
-        draw_triangle(band, *v[0], *v[1], *v[2], id);
-      }
+      for (const std::uint32_t id : part.of_band[std::size_t(b)])
+        queue.add_seen(drawing.objects[part.object].window(id), id);
     }
+    queue.flush();
   });
   std::size_t sorted = 0;
   for (const TrianglePart& part : parts)

@@ -88,5 +88,36 @@ TEST(Visibility, BandsMakeOnePicture) {
     }
 }
 
+// Eight triangles set up together, of all sizes and some of no area or between the pixels, draw what each draws alone.
+TEST(Visibility, EightAtOnceAsOneByOne) {
+  constexpr int width = 1300, height = 40;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0, 1), reach(0, 3.2);
+  VisibilityBuffer together = cleared(width, height), alone = cleared(width, height);
+  std::vector<std::array<WindowVertex, 3>> triangles;
+  for (int i = 0; i < 1003; ++i) {
+    const double size = std::pow(10, reach(random)), x = width * place(random), y = height * place(random);
+    std::array<WindowVertex, 3> t;
+    for (WindowVertex& v : t)
+      v = window_vertex(std::min(x + size * place(random), double(width)),
+                        std::min(y + size * place(random), double(height)), place(random));
+    if (i % 50 == 0) t[2] = t[1];
+    triangles.push_back(t);
+  }
+  const Band rows{&together, 5, 36};
+  TriangleQueue queue(rows);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    queue.add(t[0], t[1], t[2], i);
+    draw_triangle({&alone, 5, 36}, t[0], t[1], t[2], i);
+  }
+  queue.flush();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      ASSERT_EQ(together.triangle(x, y), alone.triangle(x, y)) << x << ' ' << y;
+      ASSERT_EQ(together.depth(x, y), alone.depth(x, y)) << x << ' ' << y;
+    }
+}
+
 }  // namespace
 }  // namespace cg
