@@ -61,13 +61,17 @@ std::string file_stem(const std::string& scene) {
   return out.empty() ? "scene" : out;
 }
 
-void write_files(const Trade& trade, const fs::path& folder, Language language) {
+// Before anything is measured: a mistake in the name should not cost that time.
+void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
     const Text why = system_text(error.value());
     throw InputError(folder.string(), {"the folder cannot be made: " + why.en, "フォルダを作れない：" + why.ja});
   }
+}
+
+void write_files(const Trade& trade, const fs::path& folder, Language language) {
   const std::string stem = std::string(trade.knob->id) + "-" + file_stem(trade.scene);
   save_file(folder / (stem + ".csv"), csv_of(trade));
   save_file(folder / (stem + ".json"), to_json(json_of(trade)) + "\n");
@@ -86,6 +90,7 @@ int run_trade_command(const Arguments& a, std::span<const Technique> techniques,
   Arguments named = a;
   if (named.scene.empty()) named.scene = "teapot";
   const Scene scene = scene_for(named, language);
+  if (!a.output.empty()) make_folder(a.output);
   Trade trade;
   {
     Progress progress;

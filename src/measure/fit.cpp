@@ -24,8 +24,25 @@ std::vector<LogPoint> log_points(std::span<const double> x, std::span<const doub
 
 struct Fitted {
   LineFit line;
-  double residual = 0;  // root mean square, decades
+  double residual = 0;   // root mean square, decades
+  double curvature = 0;  // Fisher's F of a quadratic term: how much better a parabola meets the points
 };
+
+// Of the residuals `off` of a line: what a parabola takes away, held against what it leaves.
+double f_of_parabola(std::span<const LogPoint> points, const std::vector<double>& off, double mean_x, double xx) {
+  const double n = double(points.size());
+  double third = 0;
+  for (const LogPoint& p : points) third += std::pow(p.x - mean_x, 3);
+  double square = 0, with_off = 0, all = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double d = points[i].x - mean_x, parabola = d * d - xx / n - third / xx * d;  // orthogonal to lines
+    square += parabola * parabola;
+    with_off += parabola * off[i];
+    all += off[i] * off[i];
+  }
+  const double taken = square > 0 ? with_off * with_off / square : 0, left = std::max(all - taken, 1e-30);
+  return points.size() > 3 ? taken / (left / (n - 3)) : 0;
+}
 
 std::optional<Fitted> fit(std::span<const LogPoint> points) {
   const double n = double(points.size());
@@ -36,16 +53,26 @@ std::optional<Fitted> fit(std::span<const LogPoint> points) {
   Fitted out;
   out.line.slope = xy / xx;
   out.line.intercept = mean_y - out.line.slope * mean_x;
+  std::vector<double> off;
   for (const LogPoint& p : points) {
-    const double off = p.y - out.line.intercept - out.line.slope * p.x;
-    squares += off * off;
+    off.push_back(p.y - out.line.intercept - out.line.slope * p.x);
+    squares += off.back() * off.back();
   }
+  out.curvature = f_of_parabola(points, off, mean_x, xx);
   if (points.size() > 2) out.line.standard_error = std::sqrt(squares / (n - 2) / xx);
   out.residual = std::sqrt(squares / n);
   out.line.x_low = std::pow(10, points.front().x);
   out.line.x_high = std::pow(10, points.back().x);
   out.line.points = points.size();
   return out;
+}
+
+// Met so closely that no bend would matter; or by few points; or loosely by enough points that show no bend.
+bool is_straight(const Fitted& f, double tolerance) {
+  constexpr double bent = 4;  // F of 4: one chance in ten, or less, for six points and more
+  if (f.residual <= tolerance / 4) return true;
+  if (f.line.points < 5) return f.residual <= tolerance;
+  return f.residual <= 4 * tolerance && f.curvature < bent;
 }
 
 double off_the_line(const LineFit& line, const LogPoint& p) {
@@ -68,13 +95,13 @@ std::optional<LineFit> fit_straight_part(std::span<const double> x, std::span<co
   for (std::size_t length = all.size(); length >= 3 && !best; --length)
     for (std::size_t begin = 0; begin + length <= all.size(); ++begin) {
       const auto fitted = fit(std::span(all).subspan(begin, length));
-      if (fitted && fitted->residual <= tolerance && (!best || fitted->residual < best->residual))
+      if (fitted && is_straight(*fitted, tolerance) && (!best || fitted->residual < best->residual))
         best = fitted, first = begin;
     }
   if (!best) return fit_line(x, error);
   // A point belongs to a bend where it is clearly farther from the line than those that made it.
   LineFit line = best->line;
-  const double clearly = 2 * tolerance;
+  const double clearly = std::max(2 * tolerance, 3 * best->residual);
   if (first > 0 && off_the_line(line, all[first - 1]) > clearly) line.bend_low = std::pow(10, all[first - 1].x);
   if (const std::size_t next = first + line.points; next < all.size() && off_the_line(line, all[next]) > clearly)
     line.bend_high = std::pow(10, all[next].x);

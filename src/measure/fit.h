@@ -20,9 +20,10 @@ struct LineFit {
 // By all points. x and error > 0; at least two different x, or nothing.
 std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> error);
 
-// By the longest run of neighbouring points, at least three, that a line meets to within `tolerance` (root mean square,
-// decades); of runs of one length the straightest. Where there is none: by all points. Points whose error is not above
-// 0 are left out. The prediction has no say in it.
+// By the longest run of neighbouring points, at least three, that is straight; of runs of one length the straightest.
+// Straight: a line meets three or four points to within `tolerance` (root mean square, decades), more of them to within
+// four times that if a parabola is not significantly better; or all to within a quarter of it. Where there is no such
+// run: by all points. Points whose error is not above 0 are left out. The prediction has no say in it.
 std::optional<LineFit> fit_straight_part(std::span<const double> x, std::span<const double> error,
                                          double tolerance = 0.04);
 

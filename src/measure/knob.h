@@ -64,6 +64,7 @@ struct Prediction {
   double band = 0.15;       // so far a measured slope may be off and still agree
   std::string_view law;     // "h^2", in the notation of ui's formulas
   Words why;                // one sentence
+  Words otherwise = {};     // one sentence: what scenes have that the theory leaves out, where the slope is another
   std::string_view source;  // author, title, year
 };
 
@@ -84,14 +85,15 @@ struct Knob {
   Words help;                  // what is turned and what one sees, a sentence or two
   std::string_view parameter;  // the path that it turns ("objects.0.tessellation"), or the choice ("--size")
   Abscissa abscissa;
-  Words reference;  // what a setting is compared with
-  Words error;      // what the error is: "RMSE over the pixels that both cover"
+  Words labels = {};  // what the numbers at the points are; empty: x
+  Words reference;    // what a setting is compared with
+  Words error;        // what the error is: "RMSE over the pixels that both cover"
   std::string_view error_unit = "1";
   ErrorKind plotted = ErrorKind::rmse;
   std::vector<Series> series;
   std::vector<Prediction> predictions;
-  // What a bend of the curve at its accurate end, and at its coarse end, comes from; a full sentence each.
-  Words bend_fine, bend_coarse;
+  // What a bend of the curve at small x, and at large x, comes from: what follows "From h = 0.01 on the curve bends: ".
+  Words bend_low, bend_high;
   // Throws InputError that says which scenes would work where this one does not.
   Ladder (*ladder)(const TradeRequest&) = nullptr;
   // Draws a setting; Frame::cpu_ms is what it cost. Null: draw_setting().

@@ -5,6 +5,7 @@
 namespace cg {
 
 Knob shading_knob();
+Knob terminator_knob();
 Knob silhouette_knob();
 Knob normals_knob();
 Knob precision_knob();

@@ -41,11 +41,6 @@ Ladder near_ladder(const TradeRequest& request, const Scene& scene, int first, i
   return out;
 }
 
-// Distance along the view of a window depth, as the inverse of the perspective matrix has it.
-double eye_depth(double depth, const Camera& c) {
-  return c.near_plane * c.far_plane / (c.far_plane - depth * (c.far_plane - c.near_plane));
-}
-
 Errors depth_errors(const Setting& setting, const Frame& frame, const Setting& reference, const Frame& exact) {
   Errors out;
   double squares = 0;
@@ -122,9 +117,9 @@ Knob near_plane_knob() {
                     .why = {"One step of the stored depth is z^2/near times that step in metres.",
                             "保存された奥行きの 1 段は、距離にしてその z^2/near 倍になる。"},
                     .source = source}};
-  k.bend_fine = {"there the near plane is not small beside z, and the reference is no better.",
+  k.bend_high = {"there the near plane is not small beside z, and the reference is no better.",
                  "クリップ面の距離が z に近く、基準の精度も変わらない。"};
-  k.bend_coarse = {"there depths round to 1, and pixels are lost.", "奥行きが 1 に丸められ、画素が失われる。"};
+  k.bend_low = {"there depths round to 1, and pixels are lost.", "奥行きが 1 に丸められ、画素が失われる。"};
   k.ladder = depth_ladder;
   k.errors = depth_errors;
   return k;
@@ -146,9 +141,9 @@ Knob z_fighting_knob() {
                             "step grows as 1/near.",
                             "交わる面の隙間が奥行きの 1 段より狭い画素で誤り、1 段は 1/near で広がる。"},
                     .source = source}};
-  k.bend_fine = {"there only a handful of pixels are wrong.", "誤る画素が数えるほどしかない。"};
-  k.bend_coarse = {"there the gap is below a step nearly everywhere: no more than about half the pixels can be wrong.",
-                   "ほとんどの場所で隙間が 1 段より狭い。誤る画素は約半分で頭打ちになる。"};
+  k.bend_high = {"there only a handful of pixels are wrong.", "誤る画素が数えるほどしかない。"};
+  k.bend_low = {"there the gap is below a step nearly everywhere: no more than about half the pixels can be wrong.",
+                "ほとんどの場所で隙間が 1 段より狭い。誤る画素は約半分で頭打ちになる。"};
   k.ladder = fighting_ladder;
   k.errors = object_errors;
   return k;

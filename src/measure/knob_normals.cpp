@@ -90,6 +90,11 @@ Errors angle_errors(const Setting& setting, const Frame&, const Setting&, const 
 constexpr Words why = {
     "Around a vertex whose neighbours lie symmetrically the errors of first order cancel, whatever the weights.",
     "隣の頂点が対称に並ぶ頂点では、重みによらず一次の誤差が打ち消し合う。"};
+constexpr Words otherwise = {
+    "At seams, borders and poles (the teapot's patches) the neighbours are not symmetric: h^1 at a share h of the "
+    "vertices makes h^(3/2).",
+    "継ぎ目、縁、極（ティーポットのパッチなど）では隣が対称でない。割合 h の頂点で h^1 となり、全体で h^(3/2) "
+    "になる。"};
 constexpr std::string_view source =
     "Dereck Meek and Desmond Walton, On surface normal and Gaussian curvature approximations given data sampled from a "
     "smooth surface, 2000; Nelson Max, Weights for Computing Vertex Normals from Facet Normals, 1999";
@@ -104,6 +109,7 @@ Knob normals_knob() {
             "面の法線の平均、面積の重み、角度の重み。曲面の法線からどれだけずれるか。"};
   k.parameter = "shading.normals";
   k.abscissa = {"h", {"edge of an average triangle", "三角形の平均の辺長"}, "m"};
+  k.labels = {"level of tessellation", "細分割のレベル"};
   k.reference = {"the normal of the curved surface", "曲面そのものの法線"};
   k.error = {"RMS of the angle to the exact normal, over all corners", "正確な法線との角度の RMS（全頂点）"};
   k.error_unit = "rad";
@@ -111,11 +117,12 @@ Knob normals_knob() {
               {"area", {"Weighted by area", "面積で重み付け"}},
               {"angle", {"Weighted by angle", "角度で重み付け"}}};
   for (std::size_t r = 0; r < std::size(rules); ++r)
-    k.predictions.push_back({.series = r, .order = 2, .law = "h^2", .why = why, .source = source});
-  k.bend_fine = {"there the few vertices without symmetric neighbours (seams, where the order is h^1) dominate.",
-                 "隣が対称でないわずかな頂点（継ぎ目、そこでは h^1）の誤差が支配する。"};
-  k.bend_coarse = {"there the surface bends by a large angle from one face to the next.",
-                   "隣り合う面の角度が大きすぎる。"};
+    k.predictions.push_back(
+        {.series = r, .order = 2, .law = "h^2", .why = why, .otherwise = otherwise, .source = source});
+  k.bend_low = {"there the few vertices without symmetric neighbours (seams, where the order is h^1) dominate.",
+                "隣が対称でないわずかな頂点（継ぎ目、そこでは h^1）の誤差が支配する。"};
+  k.bend_high = {"there the surface bends by a large angle from one face to the next.",
+                 "隣り合う面の角度が大きすぎる。"};
   k.ladder = ladder;
   k.draw = compute_normals;
   k.errors = angle_errors;

@@ -60,10 +60,10 @@ Knob precision_knob() {
                     .why = {"The highlight's area shrinks as 1/n, so the root of the mean grows as n/√n.",
                             "ハイライトの面積は 1/n で縮むので、二乗平均の根は n/√n で増える。"},
                     .source = "Nicholas Higham, Accuracy and Stability of Numerical Algorithms, 2002"}};
-  k.bend_coarse = {"above n = 128 the power is computed from the sine of the angle, which keeps its digits.",
-                   "n が 128 を超えると角度の正弦から累乗を計算し、桁を失わない。"};
-  k.bend_fine = {"there the rounding of everything else, about 2^-24, is all there is.",
-                 "ほかの計算の丸め（2^-24 ほど）だけが残る。"};
+  k.bend_high = {"above n = 128 the power is computed from the sine of the angle, which keeps its digits.",
+                 "n が 128 を超えると角度の正弦から累乗を計算し、桁を失わない。"};
+  k.bend_low = {"there the rounding of everything else, about 2^-24, is all there is.",
+                "ほかの計算の丸め（2^-24 ほど）だけが残る。"};
   k.ladder = ladder;
   return k;
 }

@@ -10,7 +10,7 @@ Ladder ladder(const TradeRequest& request) {
   const View view = view_of(request, 512);
   const std::string technique = technique_of(request, "software");
   Ladder out;
-  for (const int n : {2, 4, 8, 16, 32, 64, 128, 256}) {
+  for (const int n : {2, 4, 8, 16, 32, 64, 128, 256, 512, 1024}) {
     Scene scene = request.scene;
     scene.shading.mode = ShadingMode::phong;
     scene.shading.clamp = false;  // the highlights are compared, not where they are cut off
@@ -69,9 +69,9 @@ Knob reflection_knob() {
            {"Across the plane of L and V the widths differ by the cosine of half the angle between them, whatever n.",
             "L と V の面に垂直な方向では、幅の比は両者のなす角の半分の余弦で、n によらない。"},
        .source = "Frederick Fisher and Andrew Woo, R.E versus N.H Specular Highlights, 1994"}};
-  k.bend_fine = {"there a highlight is only a few pixels wide.", "ハイライトの幅が数画素しかない。"};
-  k.bend_coarse = {"there a highlight is as wide as the object, and the surface's bend counts.",
-                   "ハイライトが物体と同じくらい広く、面の曲がりが効く。"};
+  k.bend_high = {"there a highlight is only a few pixels wide.", "ハイライトの幅が数画素しかない。"};
+  k.bend_low = {"there a highlight is as wide as the object, and the surface's bend counts.",
+                "ハイライトが物体と同じくらい広く、面の曲がりが効く。"};
   k.ladder = ladder;
   return k;
 }

@@ -37,6 +37,7 @@ Knob resolution_knob() {
             "小さく描いた画像の画素を並べて拡大する。スライダを動かす間にウィンドウが見せるもの。"};
   k.parameter = "--size";
   k.abscissa = {"h", {"side of a pixel, in the large picture's", "画素の辺（大きい画像の画素が単位）"}, "pixel"};
+  k.labels = {"pixels across", "横の画素数"};
   k.reference = {"the large picture", "大きい画像"};
   k.error = {"RMSE of linear colour over the whole picture", "画像全体での線形な色の RMSE"};
   k.series = {{"nearest", {"Pixels repeated", "画素の繰り返し"}}};
@@ -48,9 +49,9 @@ Knob resolution_knob() {
                "輪郭に沿った幅 h/4 ほどの帯で色がまったく違う。帯の割合は h に比例し、RMSE はその平方根に比例する。"},
        .source = "Stéphane Mallat, A Wavelet Tour of Signal Processing, 2009, chapter 9 (linear "
                  "approximation of images with edges)"}};
-  k.bend_fine = {"there the shading inside the edges, whose error goes as h, is no longer small.",
-                 "輪郭の内側の陰影（誤差は h に比例）が無視できなくなる。"};
-  k.bend_coarse = {"there parts of the shape are narrower than a pixel.", "形の一部が画素より細い。"};
+  k.bend_low = {"there the shading inside the edges, whose error goes as h, is no longer small.",
+                "輪郭の内側の陰影（誤差は h に比例）が無視できなくなる。"};
+  k.bend_high = {"there parts of the shape are narrower than a pixel.", "形の一部が画素より細い。"};
   k.ladder = ladder;
   k.errors = colour_errors_everywhere;
   return k;

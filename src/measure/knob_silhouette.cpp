@@ -51,6 +51,7 @@ Knob silhouette_knob() {
             "シェーディングは多面体の角を隠せるが、輪郭は隠せない。輪郭は何画素ずれるか。"};
   k.parameter = "objects.0.tessellation";
   k.abscissa = {"h", {"edge of an average triangle", "三角形の平均の辺長"}, "m"};
+  k.labels = {"level of tessellation", "細分割のレベル"};
   k.reference = {"the outline of the finest mesh", "最も細かいメッシュの輪郭"};
   k.error = {"pixels covered by one alone, as a share of the object's", "片方だけが覆う画素の、物体の画素に対する割合"};
   k.series = {{"silhouette", {"Silhouette", "輪郭"}}};
@@ -59,9 +60,9 @@ Knob silhouette_knob() {
                     .why = {"A chord of length h lies h^2/8R inside an arc of radius R, all along the outline.",
                             "長さ h の弦は半径 R の弧より h^2/8R だけ内側にあり、輪郭全体でそうなる。"},
                     .source = "Henri Gouraud, Continuous Shading of Curved Surfaces, 1971; the sagitta of an arc"}};
-  k.bend_fine = {"there the outlines are a fraction of a pixel apart, and the reference has corners too.",
-                 "輪郭のずれが画素より小さく、基準にも角がある。"};
-  k.bend_coarse = {"there whole parts of the shape are missing.", "形の一部がなくなるほど粗い。"};
+  k.bend_low = {"there the outlines are a fraction of a pixel apart, and the reference has corners too.",
+                "輪郭のずれが画素より小さく、基準にも角がある。"};
+  k.bend_high = {"there whole parts of the shape are missing.", "形の一部がなくなるほど粗い。"};
   k.ladder = ladder;
   k.errors = coverage_errors;
   return k;

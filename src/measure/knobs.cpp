@@ -6,8 +6,9 @@ namespace cg {
 
 std::span<const Knob> knobs() {
   static const std::vector<Knob> all{
-      shading_knob(),       normals_knob(),       silhouette_knob(), precision_knob(),  reflection_knob(),
-      supersampling_knob(), multisampling_knob(), resolution_knob(), near_plane_knob(), z_fighting_knob(),
+      shading_knob(),    terminator_knob(), normals_knob(),       silhouette_knob(),
+      precision_knob(),  reflection_knob(), supersampling_knob(), multisampling_knob(),
+      resolution_knob(), near_plane_knob(), z_fighting_knob(),
   };
   return all;
 }

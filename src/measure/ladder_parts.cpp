@@ -42,6 +42,11 @@ void oversample(Setting& setting, const View& picture, int factor, Resampling fi
   setting.factor = factor;
 }
 
+double eye_depth(double d, const Camera& c) {
+  if (c.projection == Projection::orthographic) return c.near_plane + d * (c.far_plane - c.near_plane);
+  return c.near_plane * c.far_plane / (c.far_plane - d * (c.far_plane - c.near_plane));
+}
+
 double nearest_depth(const Scene& scene) {
   const glm::dmat4 to_eye = view_matrix(scene.camera);
   double nearest = std::numeric_limits<double>::infinity();

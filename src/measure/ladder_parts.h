@@ -24,6 +24,9 @@ void change_materials(Scene& scene, const Change& change) {
 // A setting or a reference that is drawn `factor` times larger than `picture` and filtered down.
 void oversample(Setting& setting, const View& picture, int factor, Resampling filter);
 
+// The distance along the view, metres, that a window depth 0..1 stands for: the inverse of the projection.
+double eye_depth(double window_depth, const Camera& camera);
+
 // The distance from the eye, along the view, of the nearest visible thing: of the corners of its box. Throws InputError
 // where it is not in front of the eye.
 double nearest_depth(const Scene& scene);

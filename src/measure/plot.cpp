@@ -98,6 +98,10 @@ Plot speed_plot(const Trade& trade) {
   plot.lines.push_back(front_of(plot));
   add_series_entries(knob, plot);
   plot.legend.push_back({PlotInk::front, Plot::Entry::Sign::line, {"Pareto front", "パレートフロント"}});
+  const Words numbers = knob.labels.en.empty() ? knob.abscissa.name : knob.labels;
+  plot.legend.push_back({PlotInk::dim,
+                         Plot::Entry::Sign::none,
+                         {"numbers: " + std::string(numbers.en), "数字：" + std::string(numbers.ja)}});
   return plot;
 }
 

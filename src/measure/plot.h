@@ -49,7 +49,7 @@ struct Plot {
   std::vector<PlotLine> lines;
   struct Entry {
     PlotInk ink;
-    enum class Sign { dot, line, dashes } sign;
+    enum class Sign { none, dot, line, dashes } sign;
     Text text;
   };
   std::vector<Entry> legend;

@@ -61,7 +61,7 @@ class Layouter {
     float widest = 0;
     for (const PlotTick& t : y_ticks) widest = std::max(widest, wide(t.text, small_));
     out_.left = 1.9f * letters_ + widest + 0.6f * letters_;
-    out_.right = out_.width - 0.8f * letters_;
+    out_.right = out_.width - 1.4f * letters_;
     out_.bottom = out_.height - 3.4f * letters_;
     add_head();
     add_axes(x_ticks, y_ticks);
@@ -108,7 +108,8 @@ class Layouter {
     y += 1.6f * letters_;
     for (const Plot::Entry& entry : plot_.legend) {
       const std::string& what = entry.text.in(language_);
-      const float sign = 1.6f * letters_, length = sign + wide(what, small_);
+      const float sign = entry.sign == Plot::Entry::Sign::none ? 0 : 1.6f * letters_,
+                  length = sign + wide(what, small_);
       if (x > out_.left && x + length > out_.right) x = out_.left, y += 1.35f * letters_;
       const float middle = y - 0.3f * letters_;
       if (entry.sign == Plot::Entry::Sign::dot)
@@ -116,10 +117,10 @@ class Layouter {
                               .ink = entry.ink,
                               .places = {{x + 0.6f * letters_, middle}},
                               .size = 0.28f * letters_});
-      else
+      else if (entry.sign != Plot::Entry::Sign::none)
         line(entry.ink, {{x, middle}, {x + 1.2f * letters_, middle}}, 0.12f * letters_,
              entry.sign == Plot::Entry::Sign::dashes);
-      text(PlotInk::text, what, {x + sign, y}, small_);
+      text(sign > 0 ? PlotInk::text : PlotInk::dim, what, {x + sign, y}, small_);
       x += length + 1.4f * letters_;
     }
     out_.top = y + 0.9f * letters_;

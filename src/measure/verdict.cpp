@@ -45,9 +45,6 @@ Text bend_text(const Knob& knob, double at, Words why) {
           place + " から先で曲線は直線を外れる。" + std::string(why.ja)};
 }
 
-// Which end of the abscissa is the accurate one: where the error is smaller.
-bool accurate_where_low(const LineFit& fit, double order) { return (fit.slope != 0 ? fit.slope : order) >= 0; }
-
 }  // namespace
 
 std::string power_text(std::string_view letter, double exponent) {
@@ -59,7 +56,11 @@ std::string short_number(double v, int digits) {
   const int exponent = int(std::floor(std::log10(std::abs(v))));
   // By its decimal text, so that 0.3 does not become 0.30000000000000004.
   const long long mantissa = std::llround(v / std::pow(10.0, exponent - digits + 1));
-  return number_text(parse_number(std::to_string(mantissa) + "e" + std::to_string(exponent - digits + 1)).value_or(v));
+  const auto decimal = [&](int power) {
+    return number_text(parse_number(std::to_string(mantissa) + "e" + std::to_string(power)).value_or(v));
+  };
+  if (exponent >= -3 && exponent <= 5) return decimal(exponent - digits + 1);
+  return decimal(1 - digits) + "e" + std::to_string(exponent);
 }
 
 PredictionCheck check_prediction(const Trade& trade, std::size_t index) {
@@ -80,11 +81,9 @@ PredictionCheck check_prediction(const Trade& trade, std::size_t index) {
   }
   check.agrees = std::abs(check.fit->slope - prediction.order) <= prediction.band;
   append(check.verdict, slope_text(trade, check, prediction));
-  const bool low_is_fine = accurate_where_low(*check.fit, prediction.order);
-  if (check.fit->bend_low)
-    append(check.verdict, bend_text(knob, *check.fit->bend_low, low_is_fine ? knob.bend_fine : knob.bend_coarse));
-  if (check.fit->bend_high)
-    append(check.verdict, bend_text(knob, *check.fit->bend_high, low_is_fine ? knob.bend_coarse : knob.bend_fine));
+  if (check.fit->bend_low) append(check.verdict, bend_text(knob, *check.fit->bend_low, knob.bend_low));
+  if (check.fit->bend_high) append(check.verdict, bend_text(knob, *check.fit->bend_high, knob.bend_high));
+  if (!check.agrees) append(check.verdict, prediction.otherwise);
   return check;
 }
 
