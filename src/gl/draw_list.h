@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "scene/frame.h"
+#include "scene/pass_recorder.h"
 #include "scene/plan.h"
 #include "scene/scene.h"
 #include "shading/eye_normal.h"
-#include "shading/light_model.h"
+#include "shading/light_parts.h"
 #include "shading/surface.h"
 
 namespace cg {
@@ -24,15 +25,7 @@ struct DrawItem {
 // finite in float, as the software technique does.
 std::vector<DrawItem> draw_list(const Scene& scene, const View& view);
 
-// What the scene's lights and materials use of the light model.
-struct UsedTerms {
-  bool diffuse = false, specular = false;  // some light and some material have it
-  bool point = false, directional = false;
-  bool attenuation = false, spot = false, eye_position = false;
-  bool normal() const { return diffuse || specular; }
-};
-UsedTerms used_terms(const EyeLighting<double>& lighting, const EyeMaterial<double>& material);
-// Over all visible objects.
-UsedTerms used_terms(const Scene& scene);
+// The surfaces of the list, each once: their bytes go to `record` as "surfaces".
+void record_surfaces(const std::vector<DrawItem>& items, bool kept, PassRecorder& record);
 
 }  // namespace cg

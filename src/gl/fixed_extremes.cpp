@@ -124,6 +124,26 @@ void send_lights_from_eye(const Scene& scene, const EyeLighting<double>& lightin
   while (sent < gl_light_limit) glDisable(GLenum(GL_LIGHT0 + sent++));
 }
 
+EyeLighting<float> lighting_as_sent(const EyeLighting<double>& lighting, bool as_listed, double eye_unit) {
+  EyeLighting<float> out{
+      glm::vec3(lighting.ambient), {}, lighting.reflection, lighting.local_viewer, lighting.two_sided, lighting.clamp};
+  for (const EyeLight<double>& light : lighting.lights) {
+    if (int(out.lights.size()) == gl_light_limit) break;
+    const bool cone = light.spot_cosine > -2;
+    if (!as_listed && cone && light.spot_direction == glm::dvec3(0)) continue;
+    Attenuation a{light.k_0, light.k_1, light.k_2, 1};
+    if (!as_listed) a = attenuation_in_unit(light, eye_unit);
+    EyeLight<float> sent{};
+    sent.ambient = glm::vec3(light.ambient * a.share), sent.diffuse = glm::vec3(light.diffuse * a.share);
+    sent.specular = glm::vec3(light.specular * a.share);
+    sent.directional = light.directional || (!as_listed && is_far(light, eye_unit));
+    sent.spot_cosine = cone ? 0.f : -2.f;
+    sent.k_0 = float(a.k_0), sent.k_1 = float(a.k_1), sent.k_2 = float(a.k_2);
+    out.lights.push_back(sent);
+  }
+  return out;
+}
+
 bool lights_as_listed(const Scene& scene, const EyeLighting<double>& lighting, const std::vector<DrawItem>& items) {
   double reach = 0;
   for (const DrawItem& item : items) {
@@ -135,13 +155,17 @@ bool lights_as_listed(const Scene& scene, const EyeLighting<double>& lighting, c
                      [&](const EyeLight<double>& light) { return light_as_listed(scene, light, reach); });
 }
 
+bool is_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting) {
+  const glm::dvec3 sum = m.emission + lighting.ambient * m.k_a;
+  return std::isnan(sum.x) || std::isnan(sum.y) || std::isnan(sum.z);
+}
+
 void send_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting) {
+  if (!is_emission_of_nan(m, lighting)) return;
   Four emission = four(m.emission, 1);
-  bool some = false;
   for (int c = 0; c < 3; ++c)
-    if (std::isnan(m.emission[c] + lighting.ambient[c] * m.k_a[c]))
-      emission.v[c] = lighting.clamp ? -FLT_MAX : NAN, some = true;
-  if (some) glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission.v);
+    if (std::isnan(m.emission[c] + lighting.ambient[c] * m.k_a[c])) emission.v[c] = lighting.clamp ? -FLT_MAX : NAN;
+  glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission.v);
 }
 
 std::vector<Text> fixed_function_notes(const Scene& scene, const EyeLighting<double>& lighting,

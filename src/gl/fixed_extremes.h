@@ -26,8 +26,13 @@ bool lights_as_listed(const Scene& scene, const EyeLighting<double>& lighting, c
 // positions by the camera's rotation, relative to the eye, so that far offsets survive float.
 void send_lights_from_eye(const Scene& scene, const EyeLighting<double>& lighting, double eye_unit);
 
+// The light of an object as it is sent in the end, in numbers of OpenGL: `as_listed`, or relative to the eye, where
+// far lights are directions and their attenuation is in their colours.
+EyeLighting<float> lighting_as_sent(const EyeLighting<double>& lighting, bool as_listed, double eye_unit);
+
 // Sends the emission once more where emission and ambient light come to NaN, with no light as its cause: clamped,
 // OpenGL would make it white, where the other techniques make it black.
+bool is_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting);
 void send_emission_of_nan(const EyeMaterial<double>& m, const EyeLighting<double>& lighting);
 
 // What a user should know about the limits that this scene meets.

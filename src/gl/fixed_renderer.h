@@ -18,14 +18,19 @@ class FixedRenderer {
   Frame render(const Scene& scene, const Plan& plan, const View& view, Progress& progress);
   void release();
 
+  // What lives in the context, for tests that ask OpenGL about it.
+  const SurfaceBuffers& buffers() const { return buffers_; }
+  const FrameTarget& target() const { return target_; }
+
  private:
   struct Picture;  // what is the same for all calls of one picture
-  void draw(const Picture& picture, Frame& frame);
-  void play(const GlCall& call, const Picture& picture, FixedPlayer& player);
-  void draw_mesh(const DrawItem& item, const Picture& picture, const FixedPlayer& player);
-  void draw_arrays(const DrawItem& item, const Picture& picture);
-  void draw_ids(const std::vector<DrawItem>& items, const glm::mat4& projection, Frame& frame);
-  void draw_normals(const Scene& scene, const std::vector<DrawItem>& items, const glm::mat4& projection, Frame& frame);
+  void upload(const Picture& picture);
+  void draw(Picture& picture, Frame& frame);
+  void play(const GlCall& call, Picture& picture, FixedPlayer& player);
+  void draw_mesh(const DrawItem& item, Picture& picture, const FixedPlayer& player);
+  void draw_arrays(const DrawItem& item, Picture& picture);
+  void draw_ids(const Picture& picture, const glm::mat4& projection, Frame& frame);
+  void draw_normals(const Picture& picture, const glm::mat4& projection, Frame& frame);
 
   FrameTarget target_;
   SurfaceBuffers buffers_{false};

@@ -33,54 +33,59 @@ void refuse_beyond_limits(int width, int height) {
 
 }  // namespace
 
-Frame empty_frame(const View& view) {
+Frame empty_frame(const Scene& scene, const View& view, PassRecorder& record) {
   const int w = std::max(view.width, 0), h = std::max(view.height, 0);
   Frame frame;
-  frame.colour = ColourImage(w, h);
+  frame.colour = ColourImage(w, h, glm::vec3(scene.display.background));
   frame.depth = Image<float>(w, h, 1.0f);
   frame.covered = Image<std::uint8_t>(w, h);
   if (view.ids) frame.object = frame.triangle = Image<std::int32_t>(w, h, nothing);
   if (view.normals) frame.normal = Image<glm::vec3>(w, h);
+  if (!frame.colour.empty())
+    record.item("picture", bytes_of(frame.colour) + bytes_of(frame.depth) + bytes_of(frame.covered));
   return frame;
 }
 
-void FrameTarget::bind(int width, int height, Layers layers) {
+bool FrameTarget::bind(int width, int height, Layers layers) {
   if (framebuffer_ && width == width_ && height == height_ && layers == layers_) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, width, height);
-    return;
+    return true;
   }
   refuse_beyond_limits(width, height);
   release();
   const GLsizei samples = layers.ids || layers.normals || layers.samples < 2 ? 0 : layers.samples;
-  auto attach = [&](GLenum format, GLenum attachment, GLsizei samples) {
+  auto attach = [&](GLenum format, std::size_t pixel, GLenum attachment, GLsizei samples, std::size_t& bytes) {
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
     renderbuffers_.push_back(buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    bytes += std::size_t(width) * std::size_t(height) * pixel * std::size_t(std::max(samples, 1));
   };
   const GLenum colour = like_a_window_ ? GL_RGBA8 : GL_RGBA32F;
+  const std::size_t colour_pixel = like_a_window_ ? sizeof(std::uint32_t) : sizeof(glm::vec4);
   if (samples > 0) {
     glGenFramebuffers(1, &resolved_);
     glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
-    attach(colour, GL_COLOR_ATTACHMENT0, 0);
-    attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, 0);
+    attach(colour, colour_pixel, GL_COLOR_ATTACHMENT0, 0, bytes_.picture);
+    attach(GL_DEPTH_COMPONENT32F, sizeof(float), GL_DEPTH_ATTACHMENT, 0, bytes_.picture);
   }
   glGenFramebuffers(1, &framebuffer_);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   std::vector<GLenum> outputs{GL_COLOR_ATTACHMENT0};
-  attach(colour, GL_COLOR_ATTACHMENT0, samples);
+  attach(colour, colour_pixel, GL_COLOR_ATTACHMENT0, samples, samples > 0 ? bytes_.samples : bytes_.picture);
   if (layers.ids) {
     outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
-    attach(GL_RG32I, outputs.back(), 0);
+    attach(GL_RG32I, sizeof(glm::ivec2), outputs.back(), 0, bytes_.ids);
   }
   if (layers.normals) {
     outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
-    attach(GL_RGBA32F, outputs.back(), 0);
+    attach(GL_RGBA32F, sizeof(glm::vec4), outputs.back(), 0, bytes_.normals);
   }
-  attach(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples);
+  attach(GL_DEPTH_COMPONENT32F, sizeof(float), GL_DEPTH_ATTACHMENT, samples,
+         samples > 0 ? bytes_.samples : bytes_.picture);
   if (like_a_window_ && epoxy_has_gl_extension("GL_MESA_framebuffer_flip_y"))
     glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
   glDrawBuffers(GLsizei(outputs.size()), outputs.data());
@@ -95,6 +100,7 @@ void FrameTarget::bind(int width, int height, Layers layers) {
     throw;
   }
   glViewport(0, 0, width, height);
+  return false;
 }
 
 void FrameTarget::clear(const glm::vec3& background) const {
@@ -122,6 +128,7 @@ void FrameTarget::release() {
   if (!renderbuffers_.empty()) glDeleteRenderbuffers(GLsizei(renderbuffers_.size()), renderbuffers_.data());
   framebuffer_ = resolved_ = 0;
   renderbuffers_.clear();
+  bytes_ = {};
   width_ = height_ = 0;
 }
 
@@ -139,23 +146,19 @@ void FrameTarget::read_colour(Frame& frame) const {
     glm::vec3* to = frame.colour.row(y);
     for (int x = 0; x < width_; ++x) {
       const glm::vec3 c(from[x]);
-      if (is_finite(c))
-        to[x] = c;
-      else
-        ++frame.nan_pixels;  // the image is 0 there already
+      const bool fine = is_finite(c);
+      to[x] = fine ? c : glm::vec3(0);
+      frame.nan_pixels += !fine;
     }
   }
 }
 
 void FrameTarget::read_depth(Frame& frame) const {
-  std::vector<float> depth(frame.depth.size());
-  glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, frame.depth.row(0));
+  for (int y = 0; y < height_ / 2; ++y)
+    std::swap_ranges(frame.depth.row(y), frame.depth.row(y) + width_, frame.depth.row(height_ - 1 - y));
   // Depth is cleared to 1 and the test is GL_LESS: what was drawn is nearer than 1, and nothing else is.
-  for (int y = 0; y < height_; ++y) {
-    const float* from = depth.data() + std::size_t(height_ - 1 - y) * std::size_t(width_);
-    for (int x = 0; x < width_; ++x)
-      if (from[x] < 1) frame.depth.at(x, y) = from[x], frame.covered.at(x, y) = 1;
-  }
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) frame.covered.pixels()[i] = frame.depth.pixels()[i] < 1;
 }
 
 void FrameTarget::read_normals(Frame& frame, int attachment) const {

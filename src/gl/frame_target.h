@@ -5,13 +5,16 @@
 
 #include <vector>
 
-#include "scene/frame.h"
+#include "scene/pass_recorder.h"
+#include "scene/scene.h"
 #include "shading/surface.h"
 
 namespace cg {
 
-// The layers that `view` asks for, with nothing in them.
-Frame empty_frame(const View& view);
+// The layers that `view` asks for, with the background in them, recorded as "picture".
+Frame empty_frame(const Scene& scene, const View& view, PassRecorder& record);
+// Of the layers with the ids.
+inline std::size_t id_bytes(const Frame& frame) { return bytes_of(frame.object) + bytes_of(frame.triangle); }
 
 // Belongs to one context: every call on its thread.
 class FrameTarget {
@@ -30,7 +33,8 @@ class FrameTarget {
 
   // Binds a target of this size, made anew where it differs from the last. Throws InputError where the size is
   // beyond OpenGL's limits. `attachment` numbers: layers are bound to fragment outputs 0, 1, 2 in that order.
-  void bind(int width, int height, Layers layers);
+  // Returns whether the last one could be kept.
+  bool bind(int width, int height, Layers layers);
   void clear(const glm::vec3& background) const;
   // After drawing, before reading: of several samples the mean, and of depths one.
   void resolve() const;
@@ -40,10 +44,17 @@ class FrameTarget {
   void read_colour(Frame& frame) const;
   void read_depth(Frame& frame) const;  // and Frame::covered
   void read_normals(Frame& frame, int attachment) const;
+  // Of the pixels between OpenGL and the frame, in one of these: colour, or normals.
+  std::size_t staging_bytes() const { return std::size_t(width_) * std::size_t(height_) * sizeof(glm::vec4); }
   // Rows from the bottom.
   std::vector<glm::ivec2> read_ids(int attachment) const;
   std::vector<glm::vec4> read_floats(int attachment) const;
 
+  // As they were asked of OpenGL.
+  struct Bytes {
+    std::size_t picture = 0, samples = 0, ids = 0, normals = 0;  // picture, samples: colour and depth
+  };
+  const Bytes& bytes() const { return bytes_; }
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -53,6 +64,7 @@ class FrameTarget {
   Layers layers_;
   GLuint framebuffer_ = 0, resolved_ = 0;  // resolved_: of several samples a pixel; else 0
   std::vector<GLuint> renderbuffers_;
+  Bytes bytes_;
 };
 
 // One object's part in a picture's ids, for the primitive number of a draw call to become the mesh's triangle.

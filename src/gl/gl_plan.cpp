@@ -4,19 +4,21 @@
 
 #include "gl/draw_list.h"
 #include "gl/fixed_extremes.h"
-#include "shading/light_notes.h"
+#include "gl/fixed_numbers.h"
+#include "gl/fixed_player.h"
+#include "gl/shader_source.h"
+#include "shading/fixed_function_scene.h"
+#include "shading/plan_maker.h"
 
 namespace cg {
 
 namespace {
 
-// What the scene holds, and what it uses.
-struct Counts {
+// What is drawn, and what it uses of the light model, as the shader or the fixed function is told it.
+struct Counts : DrawnCounts {
   std::vector<DrawItem> items;
-  std::size_t vertices = 0, triangles = 0, pixels = 0, bad_normals = 0, unplaced = 0;
-  EyeLighting<double> lighting;
-  UsedTerms used;
-  bool draws = false;
+  std::size_t pixels = 0;
+  EyeLighting<double> lighting;  // of the scene as it is given
 };
 
 Counts count(const Scene& scene, const View& view) {
@@ -25,153 +27,175 @@ Counts count(const Scene& scene, const View& view) {
   n.lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
   if (n.pixels == 0) return n;
   n.items = draw_list(scene, view);
-  for (const DrawItem& item : n.items) {
-    n.vertices += item.surface->positions.size();
-    n.triangles += item.surface->triangle_count();
-    n.bad_normals += item.surface->bad_normals;
-  }
-  n.used = used_terms(scene);
-  n.draws = n.triangles > 0;
+  for (const DrawItem& item : n.items) n.add(item.surface);
+  for (const Object& o : scene.objects) n.unplaced += o.visible && o.mesh && !o.mesh->triangles().empty();
+  n.unplaced -= n.items.size();
   return n;
 }
 
-Text counted(std::size_t n, const char* en, const char* ja) { return {std::to_string(n) + en, std::to_string(n) + ja}; }
+EyeMaterial<float> material_in(const Scene& scene, const DrawItem& item) {
+  return eye_material<float>(material_of(scene, scene.objects[std::size_t(item.object)]), scene.shading.color_material);
+}
 
-class PlanMaker {
- public:
-  PlanMaker(const Counts& n, Plan& plan) : n_(n), plan_(plan) {}
-  // `why` where it runs, `why_not` where it does not; nothing runs where there is nothing to draw.
-  void pass(const char* id, Words name, bool needed, Text why, Text why_not, std::size_t bytes = 0) {
-    needed = needed && n_.draws;
-    const Text empty = Words{"there is nothing to draw", "描くものがない"};
-    plan_.passes.push_back({id, name, needed,
-                            needed     ? std::move(why)
-                            : n_.draws ? std::move(why_not)
-                                       : empty,
-                            needed ? bytes : 0});
+void add_picture(const Counts& n, PlanMaker& p) {
+  p.add({"picture", {"Picture", "画像"}, PassKind::resource, true}, n.pixels > 0,
+        Words{"colour, depth and coverage of each pixel", "画素ごとの色、奥行き、被覆"},
+        Words{"the picture has no pixels", "画素がない"},
+        n.pixels * (sizeof(glm::vec3) + sizeof(float) + sizeof(std::uint8_t)));
+  add_surfaces(n, p);
+  p.add({"target", {"OpenGL's picture", "OpenGL の画像"}, PassKind::resource}, true,
+        Words{"colour and depth as floats, off screen", "画面外の float の色と奥行き"}, {},
+        n.pixels * (sizeof(glm::vec4) + sizeof(float)));
+}
+
+void add_uploads(const Counts& n, bool normals, Text no_normals, PlanMaker& p) {
+  const std::size_t vertices = n.surface_vertices(), triangles = n.surface_triangles();
+  p.add({"vertex-upload", {"Vertex buffers", "頂点バッファ"}}, true,
+        counted(vertices, " positions and the indices, kept in OpenGL's memory",
+                " 個の位置とインデックスを OpenGL のメモリーに置く"),
+        {}, vertices * sizeof(glm::vec3) + triangles * 3 * sizeof(std::uint32_t));
+  p.add({"normal-buffers", {"Normal buffers", "法線バッファ"}, PassKind::resource}, normals,
+        counted(vertices, " normals, kept in OpenGL's memory", " 個の法線を OpenGL のメモリーに置く"),
+        std::move(no_normals), vertices * sizeof(glm::vec3));
+}
+
+void add_read_back(const Counts& n, PlanMaker& p) {
+  p.add({"read-back", {"Read back", "読み戻し"}}, true,
+        Words{"colour and depth come back from OpenGL as floats", "色と奥行きを OpenGL から float で受け取る"}, {},
+        n.pixels * sizeof(glm::vec4));
+}
+
+// `a_pixel` and `more`: what they hold where something is drawn, beside the frame's own layer.
+void add_on_demand(const char* id, Words name, bool wanted, Text why, const Counts& n, std::size_t frame_pixel,
+                   std::size_t a_pixel, std::size_t more, PlanMaker& p) {
+  const std::size_t drawn = p.draws() ? n.pixels * a_pixel + more : 0;
+  p.add({id, name, PassKind::pass, true}, wanted && n.pixels > 0, std::move(why), asked_for(wanted),
+        n.pixels * frame_pixel + drawn);
+}
+
+constexpr Words ids_name{"Triangle and object numbers", "三角形と物体の番号"}, normals_name{"Normals", "法線"};
+constexpr Words nothing_depends_on_n{"nothing depends on N", "N に依存する項がない"};
+constexpr std::size_t id_pixel = 2 * sizeof(std::int32_t), normal_pixel = sizeof(glm::vec3);
+
+// What the shaders of all objects use together.
+void add_programs(const Scene& scene, Counts& n, PlanMaker& p) {
+  const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
+  for (const DrawItem& item : n.items) n.parts |= light_parts(lighting, material_in(scene, item));
+  const bool phong = scene.shading.mode == ShadingMode::phong;
+  p.add({"compile", {"Compile shaders", "シェーダーのコンパイル"}}, true, Text{}, {});
+  p.add({"vertex-lighting", {"Light vertices", "頂点の光源計算"}, PassKind::part}, !phong,
+        scene.shading.mode == ShadingMode::flat
+            ? Words{"in the vertex shader; a face takes its last vertex's colour",
+                    "頂点シェーダーで計算し、面は最後の頂点の色になる"}
+            : Words{"in the vertex shader; colours are interpolated", "頂点シェーダーで計算し、色を補間する"},
+        Words{"shading is Phong", "フォンシェーディングなので不要"});
+  p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}, PassKind::part}, phong,
+        Words{"in the fragment shader, also where it is hidden later",
+              "フラグメントシェーダーで計算し、後で隠れる画素も含む"},
+        Words{"shading is not Phong", "フォンシェーディングでないので不要"});
+  add_light_parts(scene, n.parts, p);
+}
+
+// What the shaders are made of follows from the plan so far.
+void name_programs(const Scene& scene, const Counts& n, Plan& plan) {
+  const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
+  for (const DrawItem& item : n.items) {
+    std::string text = shader_features(scene.shading, plan, lighting, material_in(scene, item)).text();
+    if (std::find(plan.code.begin(), plan.code.end(), text) == plan.code.end()) plan.code.push_back(std::move(text));
   }
-  void note(Text text) {
-    std::vector<Text>& notes = plan_.notes;
-    if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
-  }
-
- private:
-  const Counts& n_;
-  Plan& plan_;
-};
-
-void upload_pass(const Counts& n, PlanMaker& p) {
-  const std::size_t bytes = n.vertices * 2 * sizeof(glm::vec3) + n.triangles * 3 * sizeof(std::uint32_t);
-  p.pass("vertex-upload", {"Vertex buffers", "頂点バッファ"}, true,
-         counted(n.vertices, " vertices, kept in OpenGL's memory", " 頂点を OpenGL のメモリーに置く"), {}, bytes);
-}
-
-// The parts of the light model that a scene may do without.
-void term_passes(const Scene& scene, const Counts& n, PlanMaker& p) {
-  const Shading& s = scene.shading;
-  p.pass("highlights", {"Highlights", "ハイライト"}, n.used.specular,
-         Words{"a material and a light have a specular colour", "鏡面反射のある素材と光源がある"},
-         Words{"k_s or the lights' specular colours are 0", "k_s か光源の鏡面光成分が 0"});
-  p.pass("local-viewer", {"Local viewer", "視点の位置"}, s.local_viewer && n.used.specular,
-         Words{"V points from each point to the eye", "V は各点から視点へ向く"},
-         s.local_viewer ? Text(Words{"only highlights use V", "V を使うのはハイライトだけ"})
-                        : Text(Words{"V is the same for all points", "V はどの点でも同じ"}));
-  p.pass("attenuation", {"Attenuation", "減衰"}, n.used.attenuation,
-         Words{"a light fades with the distance", "距離で弱まる光源がある"},
-         Words{"no light fades with the distance", "距離で弱まる光源がない"});
-  p.pass("spot-cones", {"Spot cones", "スポットの円錐"}, n.used.spot,
-         Words{"a light has a cone", "円錐を持つ光源がある"}, Words{"no light has a cone", "円錐を持つ光源がない"});
-  p.pass("two-sides", {"Second side", "裏面の光源計算"}, s.two_sided && n.used.normal(),
-         Words{"back faces are lit with -N", "裏面は -N で照らす"},
-         s.two_sided ? Text(Words{"nothing depends on N", "N に依存する項がない"})
-                     : Text(Words{"one-sided lighting", "片面の光源計算"}));
-  p.pass("clamp", {"Clamp to 0..1", "0..1 に制限"}, s.clamp,
-         s.mode == ShadingMode::phong ? Text(Words{"each pixel's colour is limited", "画素の色を制限する"})
-                                      : Text(Words{"each vertex's colour is limited", "頂点の色を制限する"}),
-         Words{"switched off", "オフ"});
-}
-
-Text asked(bool wanted) {
-  return wanted ? Text(Words{"asked for", "求められた"}) : Text(Words{"not asked for", "求められていない"});
-}
-
-void output_passes(const Counts& n, const View& view, bool fixed, PlanMaker& p) {
-  const std::size_t id_bytes = fixed ? sizeof(glm::vec4) : sizeof(glm::ivec2);
-  p.pass("ids", {"Triangle and object numbers", "三角形と物体の番号"}, view.ids,
-         fixed ? Text(Words{"asked for: drawn once more without light", "求められた：光源なしでもう一度描く"})
-               : asked(true),
-         asked(false), n.pixels * id_bytes);
-  p.pass("normals", {"Normals", "法線"}, view.normals,
-         fixed ? Text(Words{"asked for: drawn once more without light", "求められた：光源なしでもう一度描く"})
-               : asked(true),
-         asked(false), n.pixels * sizeof(glm::vec4));
-  p.pass("read-back", {"Read back", "読み戻し"}, true,
-         Words{"colour and depth come back from OpenGL as floats", "色と奥行きを OpenGL から float で受け取る"}, {},
-         n.pixels * (sizeof(glm::vec4) + sizeof(float)));
-}
-
-void general_notes(const Scene& scene, const Counts& n, PlanMaker& p) {
-  std::size_t loaded = 0;
-  bool ray_traced = false;
-  for (const Object& o : scene.objects) {
-    if (!o.visible) continue;
-    const Material& m = material_of(scene, o);
-    ray_traced = ray_traced || m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0);
-    loaded += o.mesh && !o.mesh->triangles().empty();
-  }
-  if (n.draws && loaded > n.items.size())
-    p.note(counted(loaded - n.items.size(), " objects are too large or too far for the picture's numbers: left out",
-                   " 個の物体は大きすぎるか遠すぎて描けないので省く"));
-  if (n.bad_normals > 0)
-    p.note(counted(n.bad_normals, " vertices have no normal: no diffuse and no specular light there",
-                   " 頂点に法線がなく、拡散光も鏡面光も計算されない"));
-  for (Text& note : light_notes(scene)) p.note(std::move(note));
-  if (ray_traced) p.note(needs_rays_note);
+  for (Pass& pass : plan.passes)
+    if (pass.id == "compile" && pass.needed)
+      pass.reason = counted(plan.code.size(),
+                            plan.code.size() == 1 ? " program, with what the scene uses and no more"
+                                                  : " programs, with what the scene uses and no more",
+                            " 個のプログラム。シーンが使うものだけを含む");
 }
 
 }  // namespace
 
 Plan gl_plan(const Scene& scene, const View& view) {
-  const Counts n = count(scene, view);
-  const bool phong = scene.shading.mode == ShadingMode::phong;
+  Counts n = count(scene, view);
   Plan plan;
   plan.technique = "gl";
-  PlanMaker p(n, plan);
-  upload_pass(n, p);
-  p.pass("vertex-lighting", {"Light vertices", "頂点の光源計算"}, !phong,
-         scene.shading.mode == ShadingMode::flat
-             ? Text(Words{"in the vertex shader; a face takes its last vertex's colour",
-                          "頂点シェーダーで計算し、面は最後の頂点の色になる"})
-             : Text(Words{"in the vertex shader; colours are interpolated", "頂点シェーダーで計算し、色を補間する"}),
-         Words{"shading is Phong", "フォンシェーディングなので不要"});
-  p.pass("pixel-lighting", {"Light pixels", "画素の光源計算"}, phong,
-         Words{"in the fragment shader, also where it is hidden later",
-               "フラグメントシェーダーで計算し、後で隠れる画素も含む"},
-         Words{"shading is not Phong", "フォンシェーディングでないので不要"});
-  term_passes(scene, n, p);
-  output_passes(n, view, false, p);
-  general_notes(scene, n, p);
+  PlanMaker p(plan, n.triangles > 0);
+  add_picture(n, p);
+  const bool one_sample = view.ids || view.normals;
+  p.add({"samples", {"Several samples a pixel", "1 画素に複数の標本"}, PassKind::resource},
+        view.samples > 1 && !one_sample,
+        counted(std::size_t(std::max(view.samples, 1)), " colours and depths a pixel, resolved to their mean",
+                " 組の色と奥行きを画素ごとに持ち、平均する"),
+        view.samples > 1 ? Text(Words{"numbers and normals have no mean", "番号と法線は平均できない"})
+                         : Text(Words{"one sample a pixel", "1 画素に 1 標本"}),
+        n.pixels * (sizeof(glm::vec4) + sizeof(float)) * std::size_t(std::max(view.samples, 1)));
+  add_programs(scene, n, p);
+  add_uploads(n, n.parts.normal() || view.normals, nothing_depends_on_n, p);
+  p.add({"draw", {"Draw", "描画"}}, true,
+        counted(n.triangles, " triangles: transform, light, rasterise in one go",
+                " 三角形の座標変換、光源計算、ラスタライズを一度に"));
+  add_read_back(n, p);
+  // Its layer in OpenGL, and the pixels between OpenGL and the frame.
+  add_on_demand("ids", ids_name, view.ids, asked_for(true), n, id_pixel, 2 * sizeof(glm::ivec2), 0, p);
+  add_on_demand("normals", normals_name, view.normals, asked_for(true), n, normal_pixel, 2 * sizeof(glm::vec4), 0, p);
+  name_programs(scene, n, plan);
+  add_general_notes(scene, n, p);
   return plan;
 }
 
 Plan gl_fixed_plan(const Scene& scene, const View& view) {
-  const Counts n = count(scene, view);
+  Counts n = count(scene, view);
+  const Scene told = as_fixed_function(with_mistaken_lights(scene));
+  const auto lighting = lighting_in_eye_space<double>(told, view_matrix(told.camera));
+  const bool listed = lights_as_listed(scene, n.lighting, n.items);
+  for (const DrawItem& item : n.items) {
+    const double unit =
+        listed ? 1 : eye_unit(glm::dmat4(item.surface_to_eye), item.surface->radius, scene.shading.normal_length);
+    n.parts |= light_parts(lighting_as_sent(lighting, listed, unit), material_in(told, item));
+    n.parts.emission =
+        n.parts.emission ||
+        is_emission_of_nan(eye_material<double>(*item.material, scene.shading.color_material), n.lighting);
+  }
+  const MeshBody body = mesh_body(gl_calls(scene));
+  const bool flipped = body.normals == MeshBody::Normals::flipped;
   Plan plan;
   plan.technique = "gl-fixed";
-  PlanMaker p(n, plan);
-  upload_pass(n, p);
-  p.pass("vertex-lighting", {"Light vertices", "頂点の光源計算"}, true,
-         Words{"glLight, glMaterial and glLightModel, once for each vertex",
-               "glLight、glMaterial、glLightModel で頂点ごとに 1 回"},
-         {});
-  p.pass("pixel-lighting", {"Light pixels", "画素の光源計算"}, false, {},
-         Words{"the fixed function lights vertices only", "固定機能は頂点だけを照らす"});
-  term_passes(scene, n, p);
-  p.pass("color-material", {"Colour material", "カラーマテリアル"}, scene.shading.color_material != ColorMaterial::off,
-         Words{"reflectances follow glColor", "反射率が glColor に従う"},
-         Words{"glColor does nothing under lighting", "光源計算中の glColor は効かない"});
-  output_passes(n, view, true, p);
-  general_notes(scene, n, p);
+  PlanMaker p(plan, n.triangles > 0);
+  add_picture(n, p);
+  const bool as_given = body.normals == MeshBody::Normals::given && !body.by_hand;
+  add_uploads(n, as_given && n.parts.normal(),
+              as_given ? Text(nothing_depends_on_n)
+                       : Text(Words{"the mesh's normals are not sent as they are", "メッシュの法線をそのまま送らない"}),
+              p);
+  std::size_t largest = 0, largest_triangles = 0;
+  for (const Surface* s : n.surfaces) {
+    largest = std::max(largest, s->positions.size());
+    largest_triangles = std::max(largest_triangles, s->triangle_count());
+  }
+  p.add({"by-hand", {"Vertices by hand", "手作業の頂点"}}, body.by_hand || flipped,
+        body.by_hand ? Words{"the program's own light model colours each vertex", "自作の光源計算で頂点に色をつける"}
+                     : Words{"the mistake turns each normal round", "間違いで法線を裏返す"},
+        Words{"OpenGL gets the mesh as it is", "メッシュをそのまま OpenGL に渡す"}, largest * sizeof(glm::vec3));
+  p.add({"vertex-lighting", {"Light vertices", "頂点の光源計算"}, PassKind::part}, !body.by_hand,
+        Words{"glLight, glMaterial and glLightModel, once for each vertex",
+              "glLight、glMaterial、glLightModel で頂点ごとに 1 回"},
+        Words{"GL_LIGHTING is off", "GL_LIGHTING がオフ"});
+  p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}, PassKind::part}, false, {},
+        Words{"the fixed function lights vertices only", "固定機能は頂点だけを照らす"});
+  add_light_parts(told, n.parts, p);
+  p.add({"color-material", {"Colour material", "カラーマテリアル"}, PassKind::part},
+        told.shading.color_material != ColorMaterial::off,
+        Words{"reflectances follow glColor", "反射率が glColor に従う"},
+        Words{"glColor does nothing under lighting", "光源計算中の glColor は効かない"});
+  p.add({"draw", {"Draw", "描画"}}, true,
+        counted(n.triangles, " triangles: transform, light, rasterise in one go",
+                " 三角形の座標変換、光源計算、ラスタライズを一度に"));
+  add_read_back(n, p);
+  const Words again{"asked for: drawn once more without light", "求められた：光源なしでもう一度描く"};
+  // The colours that numbers and normals are drawn as, and the pixels between OpenGL and the frame.
+  add_on_demand("ids", ids_name, view.ids, again, n, id_pixel, sizeof(glm::vec4) + sizeof(glm::ivec2),
+                numbered_bytes(largest_triangles), p);
+  add_on_demand("normals", normals_name, view.normals, again, n, normal_pixel, sizeof(glm::vec4),
+                largest * sizeof(glm::vec3), p);
+  add_general_notes(scene, n, p);
   for (Text& note : fixed_function_notes(scene, n.lighting, n.items)) p.note(std::move(note));
   return plan;
 }

@@ -1,7 +1,6 @@
 #include "gl/glsl_renderer.h"
 
 #include "gl/check.h"
-#include "scene/cpu_clock.h"
 #include "shading/clip_position.h"
 
 namespace cg {
@@ -16,57 +15,124 @@ void throw_if_cancelled(const Progress& progress) {
 
 }  // namespace
 
-Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& view, Progress& progress) {
-  throw_if_cancelled(progress);
-  const std::vector<DrawItem> items = draw_list(scene, view);
-  const glm::dmat4 world_to_eye = view_matrix(scene.camera);
-  const EyeLighting<float> lighting = lighting_in_eye_space<float>(scene, world_to_eye);
-  const EyeLighting<double> exact = lighting_in_eye_space<double>(scene, world_to_eye);
-  const glm::mat4 to_clip = eye_to_clip(scene, view.width, view.height);
-  const bool ids = plan.runs("ids"), normals = plan.runs("normals");
-  throw_if_cancelled(progress);
+struct GlslRenderer::Item {
+  DrawItem drawn;
+  EyeMaterial<float> material;
+  Program* program;
+  const GpuSurface* surface;
+};
 
-  target_.bind(view.width, view.height, {ids, normals, view.samples});
-  Frame frame = empty_frame(view);
-  for (const DrawItem& item : items) buffers_.get(item.surface);
-  const double start = process_cpu_ms();
+// Everything that may be there from a picture before: programs, buffers, the picture that OpenGL draws into.
+std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const Plan& plan, const View& view,
+                                                      PassRecorder& record, Frame& frame) {
+  const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
+  const std::vector<DrawItem> list = draw_list(scene, view);
+  const FrameTarget::Layers layers{plan.runs("ids"), plan.runs("normals"), plan.runs("samples") ? view.samples : 1};
+  const bool target_kept = target_.bind(view.width, view.height, layers);
+  record.item("target", target_.bytes().picture, target_kept);
+  if (target_.bytes().samples > 0) record.item("samples", target_.bytes().samples, target_kept);
+  record.skip();
+  std::vector<Item> items;
+  bool all_kept = true;
+  for (const DrawItem& drawn : list) {
+    const auto material = eye_material<float>(*drawn.material, scene.shading.color_material);
+    bool kept = false;
+    Program& program = programs_.get(shader_features(scene.shading, plan, lighting, material), &kept);
+    items.push_back({drawn, material, &program, nullptr});
+    if constexpr (only_plain) continue;
+    const std::string text = program.features().text();
+    const auto same = [&](const CodeRun& c) { return c.parts == text; };
+    if (std::any_of(frame.code.begin(), frame.code.end(), same)) continue;
+    frame.code.push_back({text, program.compile_ms(), kept});
+    all_kept = all_kept && kept;
+    if constexpr (!only_plain)
+      for (const char* id : part_ids(program.features())) record.item(id);
+  }
+  record.pass("compile", 0, all_kept);
+  std::vector<const GpuSurface*> uploaded;
+  std::size_t bytes = 0, normal_bytes = 0;
+  all_kept = true;
+  for (Item& item : items) {
+    const bool normals = item.program->features().has("VERTEX_NORMAL");
+    bool kept = false;
+    item.surface = &buffers_.get(item.drawn.surface, normals ? UploadedNormals::given : UploadedNormals::none, &kept);
+    if (std::find(uploaded.begin(), uploaded.end(), item.surface) != uploaded.end()) continue;
+    uploaded.push_back(item.surface);
+    bytes += item.surface->bytes, normal_bytes += item.surface->normal_bytes;
+    all_kept = all_kept && kept;
+  }
+  record.pass("vertex-upload", bytes, all_kept);
+  if (normal_bytes > 0) record.item("normal-buffers", normal_bytes, all_kept);
+  if constexpr (!only_plain) record_surfaces(list, all_kept, record);
+  return items;
+}
+
+void GlslRenderer::draw(const Scene& scene, const View& view, const std::vector<Item>& items, Progress& progress) {
+  const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
+  const glm::mat4 to_clip = eye_to_clip(scene, view.width, view.height);
   set_clamping();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   target_.clear(glm::vec3(scene.display.background));
-  std::vector<IdSource> drawn;
-  for (const DrawItem& item : items) {
+  int drawn = 0;
+  for (const Item& item : items) {
     throw_if_cancelled(progress);
-    const auto tracked = scene.shading.color_material;
-    Program& program =
-        programs_.get(shader_features(scene.shading, plan, exact, eye_material<double>(*item.material, tracked)));
+    Program& program = *item.program;
+    const ShaderFeatures& uses = program.features();
+    const glm::mat4& to_eye = item.drawn.surface_to_eye;
     program.use();
-    program.set(lighting);
-    program.set(eye_material<float>(*item.material, tracked));
-    program.set("surface_to_clip", surface_to_clip(to_clip, item.surface_to_eye));
-    program.set("surface_to_eye", item.surface_to_eye);
-    program.set("normal_to_eye", normals_to_eye<float>(item.object_to_eye, scene.shading.normal_length).matrix);
-    if (normals) {
-      const glm::dmat4 to_world = matrix(scene.objects[std::size_t(item.object)].transform);
+    program.set(lighting, item.material);
+    program.set("surface_to_clip", surface_to_clip(to_clip, to_eye));
+    if (optional(uses.has("EYE_POSITION"))) program.set("surface_to_eye", to_eye);
+    if (only_plain || uses.has("NORMAL"))
+      program.set("normal_to_eye", normals_to_eye<float>(item.drawn.object_to_eye, scene.shading.normal_length).matrix);
+    if (optional(uses.has("NORMALS"))) {
+      const glm::dmat4 to_world = matrix(scene.objects[std::size_t(item.drawn.object)].transform);
       program.set("normal_to_world", normals_to_eye<float>(to_world, NormalLength::normalize).matrix);
     }
-    drawn.push_back({item.object, item.surface});
-    if (ids) program.set("object", int(drawn.size()));
-    const GpuSurface& surface = buffers_.get(item.surface);
-    glBindVertexArray(surface.array);
-    surface.draw();
-    progress.fraction = float(drawn.size()) / float(items.size());
+    ++drawn;
+    if (optional(uses.has("IDS"))) program.set("object", drawn);
+    glBindVertexArray(item.surface->array);
+    item.surface->draw();
+    progress.fraction = float(drawn) / float(items.size());
   }
   target_.resolve();
   glFinish();
-  frame.cpu_ms = process_cpu_ms() - start;
   throw_if_cancelled(progress);
+}
+
+Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& view, Progress& progress) {
+  throw_if_cancelled(progress);
+  PassRecorder record;
+  Frame frame = empty_frame(scene, view, record);
+  if (!plan.runs("draw")) {
+    if (view.ids) record.item("ids", id_bytes(frame));
+    if (view.normals) record.item("normals", bytes_of(frame.normal));
+    record.finish(frame);
+    return frame;
+  }
+  const std::vector<Item> items = prepare(scene, plan, view, record, frame);
+  throw_if_cancelled(progress);
+  draw(scene, view, items, progress);
+  frame.cpu_ms = record.pass("draw");
   target_.read_colour(frame);
   target_.read_depth(frame);
-  if (ids) set_ids(frame, target_.read_ids(1), drawn);
-  if (normals) target_.read_normals(frame, ids ? 2 : 1);
+  record.pass("read-back", target_.staging_bytes());
+  const bool ids = optional(plan.runs("ids")), normals = optional(plan.runs("normals"));
+  if (ids) {
+    std::vector<IdSource> drawn;
+    for (const Item& item : items) drawn.push_back({item.drawn.object, item.drawn.surface});
+    const std::vector<glm::ivec2> read = target_.read_ids(1);
+    set_ids(frame, read, drawn);
+    record.pass("ids", target_.bytes().ids + bytes_of(read) + id_bytes(frame));
+  }
+  if (normals) {
+    target_.read_normals(frame, ids ? 2 : 1);
+    record.pass("normals", target_.bytes().normals + target_.staging_bytes() + bytes_of(frame.normal));
+  }
   buffers_.end_frame();
   check_gl("gl frame");
+  record.finish(frame);
   return frame;
 }
 

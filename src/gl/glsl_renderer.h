@@ -1,5 +1,6 @@
 // The technique `gl`: the light model in GLSL, at the vertices (flat, Gouraud) or at the pixels (Phong).
 #pragma once
+#include "gl/draw_list.h"
 #include "gl/frame_target.h"
 #include "gl/program.h"
 #include "gl/surface_buffers.h"
@@ -12,9 +13,17 @@ class GlslRenderer {
   // Runs the passes of `plan`. Throws Cancelled, or InputError (picture or scene too large for this OpenGL).
   Frame render(const Scene& scene, const Plan& plan, const View& view, Progress& progress);
   void release();
-  std::size_t programs() const { return programs_.size(); }
+
+  // What lives in the context, for tests that ask OpenGL about it.
+  const ProgramCache& programs() const { return programs_; }
+  const SurfaceBuffers& buffers() const { return buffers_; }
+  const FrameTarget& target() const { return target_; }
 
  private:
+  struct Item;  // what one object is drawn with
+  std::vector<Item> prepare(const Scene& scene, const Plan& plan, const View& view, PassRecorder& record, Frame& frame);
+  void draw(const Scene& scene, const View& view, const std::vector<Item>& items, Progress& progress);
+
   FrameTarget target_;
   SurfaceBuffers buffers_{true};
   ProgramCache programs_;

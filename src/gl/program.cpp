@@ -4,6 +4,7 @@
 
 #include "gl/check.h"
 #include "gl/surface_buffers.h"
+#include "scene/cpu_clock.h"
 
 namespace cg {
 
@@ -26,7 +27,8 @@ GLuint compile(GLenum kind, const std::string& source) {
 
 }  // namespace
 
-Program::Program(const ShaderSource& source, const ShaderFeatures& features) {
+Program::Program(const ShaderSource& source, const ShaderFeatures& features) : features_(features) {
+  CpuClock clock;
   const GLuint vertex = compile(GL_VERTEX_SHADER, source.vertex);
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, source.fragment);
   program_ = glCreateProgram();
@@ -43,7 +45,11 @@ Program::Program(const ShaderSource& source, const ShaderFeatures& features) {
   glDeleteShader(fragment);
   GLint ok = 0;
   glGetProgramiv(program_, GL_LINK_STATUS, &ok);
-  if (ok) return;
+  if (ok) {
+    find_lights();
+    compile_ms_ = clock.lap_ms();
+    return;
+  }
   std::string log(4096, '\0');
   GLsizei length = 0;
   glGetProgramInfoLog(program_, GLsizei(log.size()), &length, log.data());
@@ -57,35 +63,47 @@ GLint Program::location(const std::string& name) {
   return found->second;
 }
 
-void Program::set(const EyeLighting<float>& lighting) {
-  set("ambient", lighting.ambient);
-  for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
-    const EyeLight<float>& light = lighting.lights[i];
-    const std::string name = "lights[" + std::to_string(i) + "].";
-    set(name + "ambient", light.ambient);
-    set(name + "diffuse", light.diffuse);
-    set(name + "specular", light.specular);
-    set(name + "position", light.position);
-    set(name + "spot_direction", light.spot_direction);
-    set(name + "spot_cosine", light.spot_cosine);
-    set(name + "spot_exponent", light.spot_exponent);
-    set(name + "k_0", light.k_0);
-    set(name + "k_1", light.k_1);
-    set(name + "k_2", light.k_2);
-    set(name + "directional", int(light.directional));
+void Program::find_lights() {
+  for (int i = 0; i < features_.lights; ++i) {
+    const std::string light = "lights[" + std::to_string(i) + "].";
+    const auto at = [&](const char* name) { return glGetUniformLocation(program_, (light + name).c_str()); };
+    lights_.push_back({at("ambient"), at("diffuse"), at("specular"), at("position"), at("spot_direction"),
+                       at("spot_cosine"), at("spot_exponent"), at("k_0"), at("k_1"), at("k_2"), at("directional")});
   }
 }
 
-void Program::set(const EyeMaterial<float>& m) {
-  set("material.k_a", m.k_a);
-  set("material.k_d", m.k_d);
-  set("material.k_s", m.k_s);
-  set("material.emission", m.emission);
-  set("material.n", m.n);
+void Program::set(const EyeLighting<float>& lighting, const EyeMaterial<float>& m) {
+  const auto vector = [](GLint to, const glm::vec3& v) {
+    if (to >= 0) glUniform3fv(to, 1, &v.x);
+  };
+  const auto number = [](GLint to, float v) {
+    if (to >= 0) glUniform1f(to, v);
+  };
+  std::size_t next = 0;
+  for (const EyeLight<float>& light : lighting.lights) {
+    if (next == lights_.size()) break;
+    if (!light_parts(light, m).lit()) continue;
+    const LightLocations& to = lights_[next++];
+    vector(to.diffuse, light.diffuse), vector(to.position, light.position);
+    if constexpr (only_plain) continue;
+    vector(to.ambient, light.ambient), vector(to.specular, light.specular);
+    vector(to.spot_direction, light.spot_direction);
+    number(to.spot_cosine, light.spot_cosine), number(to.spot_exponent, light.spot_exponent);
+    number(to.k_0, light.k_0), number(to.k_1, light.k_1), number(to.k_2, light.k_2);
+    if (to.directional >= 0) glUniform1i(to.directional, light.directional);
+  }
+  if constexpr (only_plain) return set("material.k_d", m.k_d);
+  if (features_.has("AMBIENT")) set("ambient", lighting.ambient);
+  if (features_.has("K_A")) set("material.k_a", m.k_a);
+  if (features_.has("DIFFUSE")) set("material.k_d", m.k_d);
+  if (features_.has("SPECULAR")) set("material.k_s", m.k_s), set("material.n", m.n);
+  if (features_.has("EMISSION")) set("material.emission", m.emission);
 }
 
-Program& ProgramCache::get(const ShaderFeatures& features) {
-  if (const auto found = programs_.find(features); found != programs_.end()) return found->second;
+Program& ProgramCache::get(const ShaderFeatures& features, bool* kept) {
+  const auto found = programs_.find(features);
+  if (kept) *kept = found != programs_.end();
+  if (found != programs_.end()) return found->second;
   return programs_.emplace(features, Program(surface_shaders(features), features)).first->second;
 }
 

@@ -22,19 +22,31 @@ class Program {
   void set(const std::string& name, const glm::vec3& v) { glUniform3fv(location(name), 1, &v.x); }
   void set(const std::string& name, const glm::mat3& m) { glUniformMatrix3fv(location(name), 1, GL_FALSE, &m[0].x); }
   void set(const std::string& name, const glm::mat4& m) { glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0].x); }
-  void set(const EyeLighting<float>& lighting);
-  void set(const EyeMaterial<float>& material);
+  // The lights that add something on the material, and the material.
+  void set(const EyeLighting<float>& lighting, const EyeMaterial<float>& material);
+
+  const ShaderFeatures& features() const { return features_; }
+  double compile_ms() const { return compile_ms_; }
+  GLuint name() const { return program_; }
 
  private:
+  struct LightLocations {
+    GLint ambient, diffuse, specular, position, spot_direction, spot_cosine, spot_exponent, k_0, k_1, k_2, directional;
+  };
+  void find_lights();
   GLint location(const std::string& name);
+  ShaderFeatures features_;
+  double compile_ms_ = 0;
   GLuint program_ = 0;
+  std::vector<LightLocations> lights_;
   std::map<std::string, GLint> locations_;
 };
 
 // Belongs to one context: every call on its thread.
 class ProgramCache {
  public:
-  Program& get(const ShaderFeatures& features);
+  // `kept`, if not null: whether it was there already.
+  Program& get(const ShaderFeatures& features, bool* kept = nullptr);
   void clear();
   std::size_t size() const { return programs_.size(); }
 

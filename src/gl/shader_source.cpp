@@ -9,37 +9,73 @@ namespace cg {
 
 bool ShaderFeatures::has(std::string_view name) const { return std::find(on.begin(), on.end(), name) != on.end(); }
 
-ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<double>& lighting,
-                               const EyeMaterial<double>& material) {
-  const UsedTerms used = used_terms(lighting, material);
+std::string ShaderFeatures::text() const {
+  std::string out = lights == 0 ? "no light" : std::to_string(lights) + (lights == 1 ? " light" : " lights");
+  for (const std::string_view name : on) out += " " + std::string(name);
+  return out;
+}
+
+ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<float>& lighting,
+                               const EyeMaterial<float>& material) {
+  const LightParts parts = light_parts(lighting, material);
   ShaderFeatures f;
-  f.lights = int(lighting.lights.size());
+  for (const EyeLight<float>& light : lighting.lights) f.lights += light_parts(light, material).lit();
   auto add = [&](bool wanted, std::string_view name) {
     if (wanted) f.on.push_back(name);
+    return wanted;
   };
-  const bool highlights = used.specular && plan.runs("highlights");
-  const bool normal = used.diffuse || highlights;
-  add(f.lights > 0, "LIT");
-  add(normal, "NORMAL");
-  add(normal && shading.normal_length == NormalLength::normalize, "NORMALIZE");
+  const bool highlights = parts.specular && plan.runs("highlights");
+  const bool normal = parts.diffuse || highlights, normalize = shading.normal_length == NormalLength::normalize;
+  const bool local_viewer = highlights && plan.runs("local-viewer"), ambient = parts.ambient || parts.light_ambient;
+  const bool half_vector = highlights && shading.reflection == Reflection::half_vector;
+  // The terms of the light model;
+  add(parts.emission, "EMISSION");
+  add(parts.ambient, "AMBIENT");
+  add(parts.light_ambient, "LIGHT_AMBIENT");
+  add(parts.diffuse, "DIFFUSE");
   add(highlights, "SPECULAR");
-  add(highlights && shading.reflection == Reflection::half_vector, "HALF_VECTOR");
-  add(highlights && shading.reflection == Reflection::reflection_vector, "REFLECTION_VECTOR");
-  const bool local_viewer = highlights && plan.runs("local-viewer");
+  add(half_vector, "HALF_VECTOR");
+  add(highlights && !half_vector, "REFLECTION_VECTOR");
   add(local_viewer, "LOCAL_VIEWER");
-  add(used.point, "POINT");
-  add(used.point && used.directional, "MIXED");
-  add(used.point || local_viewer, "EYE_POSITION");
-  add(used.attenuation && plan.runs("attenuation"), "ATTENUATION");
-  add(used.spot && plan.runs("spot-cones"), "SPOT");
+  // the lights;
+  add(parts.point, "POINT");
+  add(parts.point && parts.directional, "MIXED");
+  const bool attenuation = add(parts.attenuation && plan.runs("attenuation"), "ATTENUATION");
+  const bool spot = add(parts.spot && plan.runs("spot-cones"), "SPOT");
+  // where and how often;
+  const bool phong = add(plan.runs("pixel-lighting"), "PHONG");
+  add(!phong && shading.mode == ShadingMode::flat, "FLAT");
   add(normal && plan.runs("two-sides"), "TWO_SIDED");
   add(plan.runs("clamp"), "CLAMP");
-  add(plan.runs("pixel-lighting"), "PHONG");
-  add(shading.mode == ShadingMode::flat, "FLAT");
   add(plan.runs("ids"), "IDS");
   add(plan.runs("normals"), "NORMALS");
+  // and what these need.
+  add(ambient || parts.diffuse || highlights || parts.emission, "MATERIAL");
+  add(ambient, "K_A");
+  add(f.lights > 0, "LIT");
+  add(normal, "NORMAL");
+  add(normal && normalize, "NORMALIZE");
   add(normal || plan.runs("normals"), "VERTEX_NORMAL");
+  add(parts.point || local_viewer, "EYE_POSITION");
+  add(normal || attenuation || spot, "DIRECTION");
+  add(attenuation || spot, "SCALED");
+  add((normal && normalize) || parts.point || half_vector || local_viewer, "UNIT");
   return f;
+}
+
+std::vector<const char*> part_ids(const ShaderFeatures& f) {
+  constexpr std::pair<const char*, const char*> parts[] = {
+      {"EMISSION", "emission"},     {"AMBIENT", "ambient"},
+      {"LIGHT_AMBIENT", "ambient"}, {"DIFFUSE", "diffuse"},
+      {"SPECULAR", "highlights"},   {"LOCAL_VIEWER", "local-viewer"},
+      {"POINT", "point-lights"},    {"ATTENUATION", "attenuation"},
+      {"SPOT", "spot-cones"},       {"TWO_SIDED", "two-sides"},
+      {"CLAMP", "clamp"},
+  };
+  std::vector<const char*> ids{f.has("PHONG") ? "pixel-lighting" : "vertex-lighting"};
+  for (const auto& [feature, id] : parts)
+    if (f.has(feature)) ids.push_back(id);
+  return ids;
 }
 
 std::string specialise(std::string_view source, const ShaderFeatures& features) {
@@ -71,12 +107,14 @@ std::string specialise(std::string_view source, const ShaderFeatures& features) 
 ShaderSource surface_shaders(const ShaderFeatures& features) {
   std::string head = "#version 330 core\n";
   if (features.lights > 0) head += "#define LIGHTS " + std::to_string(features.lights) + "\n";
-  const std::string vec = specialise(vec_glsl, features), light = specialise(light_model_glsl, features);
   const std::string vertex = specialise(surface_vert_glsl, features),
                     fragment = specialise(surface_frag_glsl, features);
+  const std::string light = specialise(vec_glsl, features) + specialise(light_model_glsl, features);
   // Light is computed in one of the two; the other one's text has no light model.
-  if (features.has("PHONG")) return {head + vec + vertex, head + vec + light + fragment};
-  return {head + vec + light + vertex, head + fragment};
+  if (!features.has("PHONG")) return {head + light + vertex, head + fragment};
+  ShaderFeatures unlit;  // what a vertex needs for its normal
+  if (features.has("NORMALIZE")) unlit.on.push_back("UNIT");
+  return {head + specialise(vec_glsl, unlit) + vertex, head + light + fragment};
 }
 
 }  // namespace cg

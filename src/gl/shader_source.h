@@ -14,14 +14,18 @@ struct ShaderFeatures {
   int lights = 0;
 
   bool has(std::string_view name) const;
+  // All of them, as a plan shows them: "2 lights POINT NORMAL".
+  std::string text() const;
   friend bool operator<(const ShaderFeatures& a, const ShaderFeatures& b) {
     return a.lights != b.lights ? a.lights < b.lights : a.on < b.on;
   }
 };
 
 // What the shaders need for one object of a scene: nothing that `plan` leaves out.
-ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<double>& lighting,
-                               const EyeMaterial<double>& material);
+ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<float>& lighting,
+                               const EyeMaterial<float>& material);
+// The ids of the plan's parts that are in such a shader.
+std::vector<const char*> part_ids(const ShaderFeatures& features);
 
 // Resolves the #ifdef, #ifndef, #else and #endif lines of `source`; what is not on is gone.
 std::string specialise(std::string_view source, const ShaderFeatures& features);

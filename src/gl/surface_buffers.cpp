@@ -20,37 +20,15 @@ std::vector<glm::vec3> normals_within_float(std::vector<glm::vec3> normals) {
 
 }  // namespace
 
-const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface, bool within_float) {
-  const auto key = std::pair(surface.get(), within_float);
+const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface, UploadedNormals normals, bool* kept) {
+  const auto key = std::pair(surface.get(), normals);
   GpuSurface& s = buffers_[key];
   s.last_used = frame_;
+  if (kept) *kept = s.surface != nullptr;
   if (s.surface) return s;
   s.surface = surface;
-  const auto half = GLsizeiptr(surface->positions.size() * sizeof(glm::vec3));
-  if (arrays_) {
-    glGenVertexArrays(1, &s.array);
-    glBindVertexArray(s.array);
-  }
-  glGenBuffers(1, &s.vertices);
-  glGenBuffers(1, &s.indices);
-  glBindBuffer(GL_ARRAY_BUFFER, s.vertices);
-  glBufferData(GL_ARRAY_BUFFER, 2 * half, nullptr, GL_STATIC_DRAW);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, half, surface->positions.data());
-  if (within_float)
-    glBufferSubData(GL_ARRAY_BUFFER, half, half, normals_within_float(surface->normals).data());
-  else
-    glBufferSubData(GL_ARRAY_BUFFER, half, half, surface->normals.data());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s.indices);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(surface->indices.size() * sizeof(std::uint32_t)),
-               surface->indices.data(), GL_STATIC_DRAW);
-  if (arrays_) {
-    glEnableVertexAttribArray(position_attribute);
-    glVertexAttribPointer(position_attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glEnableVertexAttribArray(normal_attribute);
-    glVertexAttribPointer(normal_attribute, 3, GL_FLOAT, GL_FALSE, 0, s.normal_offset());
-    glBindVertexArray(0);
-  }
   try {
+    upload(surface, normals, s);
     check_gl("vertex upload");
   } catch (...) {
     release(s);
@@ -60,10 +38,44 @@ const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface, bool within_
   return s;
 }
 
+void SurfaceBuffers::upload(const SurfaceHandle& surface, UploadedNormals normals, GpuSurface& s) const {
+  if (arrays_) {
+    glGenVertexArrays(1, &s.array);
+    glBindVertexArray(s.array);
+  }
+  const auto fill = [](GLenum target, GLuint& buffer, const auto& list, std::size_t& bytes) {
+    const std::size_t size = list.size() * sizeof(list[0]);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(target, buffer);
+    glBufferData(target, GLsizeiptr(size), list.data(), GL_STATIC_DRAW);
+    bytes += size;
+  };
+  const auto attribute = [&](GLuint index) {
+    if (!arrays_) return;
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  };
+  fill(GL_ARRAY_BUFFER, s.positions, surface->positions, s.bytes);
+  attribute(position_attribute);
+  if (normals == UploadedNormals::within_float)
+    fill(GL_ARRAY_BUFFER, s.normals, normals_within_float(surface->normals), s.normal_bytes);
+  else if (normals == UploadedNormals::given)
+    fill(GL_ARRAY_BUFFER, s.normals, surface->normals, s.normal_bytes);
+  if (normals != UploadedNormals::none) attribute(normal_attribute);
+  fill(GL_ELEMENT_ARRAY_BUFFER, s.indices, surface->indices, s.bytes);
+  if (arrays_) glBindVertexArray(0);
+}
+
 void SurfaceBuffers::release(GpuSurface& s) {
-  glDeleteBuffers(1, &s.vertices);
-  glDeleteBuffers(1, &s.indices);
+  for (GLuint* buffer : {&s.positions, &s.indices, &s.normals})
+    if (*buffer) glDeleteBuffers(1, buffer);
   if (s.array) glDeleteVertexArrays(1, &s.array);
+}
+
+std::size_t SurfaceBuffers::bytes() const {
+  std::size_t all = 0;
+  for (const auto& [key, s] : buffers_) all += s.bytes + s.normal_bytes;
+  return all;
 }
 
 void SurfaceBuffers::end_frame() {

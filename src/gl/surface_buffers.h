@@ -8,16 +8,19 @@
 
 namespace cg {
 
-// Positions, then normals, in one buffer: three floats each, tightly packed.
+// Which normals are uploaded. `within_float`: those whose squares leave float's range are made unit first, for a
+// GL_NORMALIZE that would lose them (it gives 0 for a length of 1e-20 or 1e25 on Mesa).
+enum class UploadedNormals { none, given, within_float };
+
+// Positions and normals are three floats each, tightly packed, in a buffer each; normals only where they are needed.
 struct GpuSurface {
   SurfaceHandle surface;
-  GLuint vertices = 0, indices = 0;
+  GLuint positions = 0, indices = 0, normals = 0;
   GLuint array = 0;  // vertex array object: attribute 0 position, 1 normal; 0 in a legacy context
+  // As they were asked of OpenGL.
+  std::size_t bytes = 0, normal_bytes = 0;  // positions and indices; normals
   long last_used = 0;
 
-  const void* normal_offset() const {
-    return reinterpret_cast<const void*>(surface->positions.size() * sizeof(glm::vec3));
-  }
   void draw() const;  // the buffers or the array must be bound
 };
 
@@ -25,20 +28,21 @@ struct GpuSurface {
 class SurfaceBuffers {
  public:
   explicit SurfaceBuffers(bool arrays) : arrays_(arrays) {}
-  // Uploads at the first call. `within_float`: normals whose squares leave float's range are made unit first, for a
-  // GL_NORMALIZE that would lose them (it gives 0 for a length of 1e-20 or 1e25 on Mesa).
+  // Uploads at the first call; `kept`, if not null: whether it was there already.
   // Throws InputError where OpenGL's memory does not suffice.
-  const GpuSurface& get(const SurfaceHandle& surface, bool within_float = false);
+  const GpuSurface& get(const SurfaceHandle& surface, UploadedNormals normals, bool* kept = nullptr);
   // To be called once a frame: frees what the last 8 frames did not use.
   void end_frame();
   void clear();
   std::size_t size() const { return buffers_.size(); }
+  std::size_t bytes() const;  // of all of them
 
  private:
   static void release(GpuSurface& s);
+  void upload(const SurfaceHandle& surface, UploadedNormals normals, GpuSurface& s) const;
   bool arrays_;
   long frame_ = 0;
-  std::map<std::pair<const Surface*, bool>, GpuSurface>
+  std::map<std::pair<const Surface*, UploadedNormals>, GpuSurface>
       buffers_;  // each keeps its surface, so that no address is used twice
 };
 

@@ -26,10 +26,12 @@ class Threaded {
     Frame frame;
     try {
       thread_.run([&] {
-        if (view.width > 0 && view.height > 0)
+        if (view.width > 0 && view.height > 0) {
           frame = renderer_.render(scene, plan, view, progress);
-        else
-          frame = empty_frame(view);
+        } else {
+          PassRecorder record;
+          frame = empty_frame(scene, view, record);
+        }
       });
     } catch (const NoContext& none) {
       throw InputError(id, none.reason, Words{"the technique software would work", "ソフトウェア描画なら使えます"});

@@ -53,7 +53,7 @@ class LightQueue {
   void flush() {
     if (count_ == 0) return;
     for (int i = count_; i < batch_size; ++i) P_.set(i, P_.get(0)), N_.set(i, N_.get(0));
-    if (surface_.normals.normalize && surface_.light.uses_normal()) units(N_);
+    if (optional(surface_.normals.normalize) && surface_.light.uses_normal()) units(N_);
     EightVectors<Real> I;
     surface_.light.light(P_, N_, I);
     for (int i = 0; i < count_; ++i) *colour_[i] = I.get(i);
@@ -73,7 +73,7 @@ template <class Real>
 void mark_visible_vertices(const Drawing& drawing, const VisibilityBuffer& visibility, Workers& workers,
                            DeferredShading<Real>& shading) {
   mark_visible_triangles(visibility, drawing.objects.empty() ? 0 : drawing.objects.back().end, workers, shading.seen);
-  const bool flat = shading.mode == ShadingMode::flat, two_sided = shading.lighting.two_sided;
+  const bool flat = optional(shading.mode == ShadingMode::flat), two_sided = optional(shading.lighting.two_sided);
   for (std::size_t o = 0; o < drawing.objects.size(); ++o) {
     const DrawnObject& object = drawing.objects[o];
     ShadedVertices<Real>& v = shading.objects[o].vertices;
@@ -102,12 +102,13 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
     ObjectShading<Real>& s = shading.objects[o];
     ShadedVertices<Real>& v = s.vertices;
     const std::size_t count = surface.positions.size();
-    const bool phong = shading.mode == ShadingMode::phong, two_sided = shading.lighting.two_sided;
-    fit(v.P, phong && shading.uses_position ? count : 0);
-    fit(v.N, phong && shading.uses_normal ? count : 0);
+    const bool phong = shading.mode == ShadingMode::phong, two_sided = optional(shading.lighting.two_sided);
+    const bool position = optional(shading.uses_position), normal = only_plain || shading.uses_normal;
+    fit(v.P, phong && position ? count : 0);
+    fit(v.N, phong && normal ? count : 0);
     fit(v.front, phong ? 0 : count);
     fit(v.back, !phong && two_sided ? count : 0);
-    if (phong && !shading.uses_position && !shading.uses_normal) continue;
+    if (phong && !position && !normal) continue;
     const Mat4<Real> to_eye(object.to_eye);
     workers.for_each(part_count(count, vertices_a_part), [&](int i) {
       const Part part = part_of(count, vertices_a_part, i);
@@ -116,11 +117,11 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
         const bool front = v.front_seen[k] != 0, back = two_sided && v.back_seen[k] != 0;
         if (!front && !back) continue;
         Vec3<Real> P(Real(0)), N(Real(0));
-        if (shading.uses_position) P = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
-        if (shading.uses_normal) N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
+        if (position) P = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
+        if (normal) N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
         if (phong) {
-          if (shading.uses_position) v.P[k] = P;
-          if (shading.uses_normal) v.N[k] = N;
+          if (position) v.P[k] = P;
+          if (normal) v.N[k] = N;
         } else {
           if (front) queue.add(P, N, v.front[k]);
           if (back) queue.add(P, -N, v.back[k]);

@@ -19,7 +19,7 @@ struct Place {
 
 template <class Real>
 bool shows_back(const DeferredShading<Real>& shading, const SeenTriangle& t) {
-  return shading.lighting.two_sided && !is_front_face(t.window);
+  return optional(shading.lighting.two_sided) && !is_front_face(t.window);
 }
 
 template <class Real>
@@ -142,7 +142,7 @@ class PhongPixels {
     const int one = first_lane(lit);
     for (int i = 0; i < lanes && lit != ~LaneBytes(0); ++i)
       if (!has_lane(lit, i)) points.set(i, points.get(one)), normals.set(i, normals.get(one));
-    if (with_N && surface.normals.normalize && surface.light.uses_normal()) units(normals);
+    if (with_N && optional(surface.normals.normalize) && surface.light.uses_normal()) units(normals);
     surface.light.light(points, normals, lights);
     LaneVectors<Real> colours;
     std::memcpy(&colours.x, &lights.x, sizeof colours.x);
@@ -250,6 +250,10 @@ template <class Real>
 void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, const DeferredShading<Real>& shading,
                   const glm::vec3& background, Workers& workers, Frame& frame) {
   const auto shade = [&](const auto& rows) { rows(drawing, visibility, shading, background, workers, frame); };
+  if constexpr (only_plain) {
+    if (shading.mode == ShadingMode::phong) return shade(shade_rows<Real, PhongPixels<Real, false, true>>);
+    return shade(shade_rows<Real, ColourPixels<Real, GouraudTriangle<Real>>>);
+  }
   switch (shading.mode) {
     case ShadingMode::flat:
       return shade(shade_rows<Real, ColourPixels<Real, FlatTriangle<Real>>>);

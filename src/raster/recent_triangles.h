@@ -19,9 +19,9 @@ class RecentTriangles {
   static constexpr int bits = 7;
   struct Entry {
     std::uint32_t id = no_triangle;
-    Triangle triangle;
+    Triangle triangle{};
   };
-  std::vector<Entry> entries_ = std::vector<Entry>(std::size_t(1) << bits);
+  std::array<Entry, std::size_t(1) << bits> entries_;  // with who uses it, on the stack: less than 64 KiB
 };
 
 }  // namespace cg

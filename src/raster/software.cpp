@@ -86,26 +86,29 @@ void find_geometry(const Scene& scene, const Plan& plan, const View& view, Worke
   Drawing& drawing = buffers.drawing;
   VisibilityBuffer& visibility = buffers.visibility;
   const bool same_size = visibility.width == view.width && visibility.height == view.height;
-  const bool kept = gather_objects(scene, view, workers, drawing) && same_size;
-  record_surfaces(drawing, kept, record);
+  const bool kept = optional(gather_objects(scene, view, workers, drawing) && same_size);
+  if constexpr (!only_plain) record_surfaces(drawing, kept, record);
   std::size_t vertices = 0, clipped = 0, sorted = buffers.sorted;
   const Viewport viewport(view.width, view.height);
   const auto done = [&](std::string id, std::size_t bytes) {
-    kept ? record.item(std::move(id), bytes, true) : record.pass(std::move(id), bytes);
+    if (kept)
+      record.item(std::move(id), bytes, true);
+    else
+      record.pass(std::move(id), bytes);
   };
   if (!kept) transform_objects(viewport, workers, drawing);
   for (const DrawnObject& o : drawing.objects) vertices += bytes_of(o.vertices);
   done("transform", vertices);
-  if (!kept) clip_objects(viewport, plan.runs("clip"), workers, drawing);
+  if (!kept) clip_objects(viewport, optional(plan.runs("clip")), workers, drawing);
   for (const DrawnObject& o : drawing.objects) clipped += bytes_of(o.clipped);
-  if (plan.runs("clip")) done("clip", clipped);
+  if (optional(plan.runs("clip"))) done("clip", clipped);
   workers.done(0.1f);
   if (!kept) {
     visibility.resize(view.width, view.height);
     buffers.sorted = sorted = find_visible(drawing, workers, visibility);
   }
   done("visibility", visibility.bytes());
-  if (workers.threads() > 1) record.item("bands", sorted, kept);
+  if (optional(workers.threads() > 1)) record.item("bands", sorted, kept);
   workers.done(0.6f);
 }
 
@@ -138,11 +141,11 @@ void shade(const Scene& scene, const Plan& plan, Workers& workers, PassRecorder&
   const Drawing& drawing = buffers.drawing;
   DeferredShading<Real>& shading = buffers.template shading<Real>();
   begin_shading(scene, plan, drawing, shading);
-  record_parts(shading, record);
+  if constexpr (!only_plain) record_parts(shading, record);
   mark_visible_vertices(drawing, buffers.visibility, workers, shading);
-  record_marks(drawing, shading, record);
+  if constexpr (!only_plain) record_marks(drawing, shading, record);
   shade_vertices(drawing, workers, shading);
-  record_vertices(shading, record);
+  if constexpr (!only_plain) record_vertices(shading, record);
   workers.done(0.8f);
   shade_pixels(drawing, buffers.visibility, shading, glm::vec3(scene.display.background), workers, frame);
   record.pass(shading.mode == ShadingMode::phong ? "pixel-lighting" : "interpolation");
@@ -162,18 +165,18 @@ Frame draw(const Scene& scene, const Plan& plan, const View& view, Progress& pro
   } else {
     buffers = {};
   }
-  if (plan.runs("ids")) {
+  if (optional(plan.runs("ids"))) {
     frame.object = frame.triangle = Image<std::int32_t>(view.width, view.height, nothing);
     if (draws) fill_ids(buffers.drawing, buffers.visibility, workers, frame);
     record.pass("ids", bytes_of(frame.object) + bytes_of(frame.triangle));
   }
-  if (plan.runs("normals")) {
+  if (optional(plan.runs("normals"))) {
     frame.normal = Image<glm::vec3>(view.width, view.height, glm::vec3(0));
     if (draws) fill_normals(scene, buffers.drawing, buffers.visibility, workers, frame);
     record.pass("normals", bytes_of(frame.normal));
   }
   workers.done(1.0f);
-  record.finish(frame);
+  frame.cpu_ms = record.finish(frame);
   return frame;
 }
 

@@ -82,7 +82,7 @@ void VisibilityBuffer::clear_tile_row(int tile_y) {
 
 std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out) {
   std::vector<TrianglePart> parts = parts_of(drawing);
-  if (workers.threads() == 1) {  // one band: no sorting
+  if (only_plain || workers.threads() == 1) {  // one band: no sorting
     out.clear(out.width, out.height);
     workers.for_each(int(parts.size()), [&](int i) {
       const TrianglePart& part = parts[std::size_t(i)];

@@ -1,9 +1,11 @@
 // What a technique does for a picture, written down while it draws. Costs a reading of the clock a pass.
 #pragma once
+#include <algorithm>
 #include <utility>
 
 #include "scene/cpu_clock.h"
 #include "scene/frame.h"
+#include "scene/only_plain.h"
 
 namespace cg {
 
@@ -26,8 +28,13 @@ void fit(List& list, std::size_t count) {
 
 class PassRecorder {
  public:
-  // A pass that has just ended: it began where the one before it ended.
-  void pass(std::string id, std::size_t bytes = 0) { add({std::move(id), clock_.lap_ms(), bytes, false}); }
+  // A pass that has just ended: it began where the one before it ended. Returns its milliseconds.
+  double pass(std::string id, std::size_t bytes = 0, bool kept = false) {
+    if constexpr (only_plain) return 0;
+    const double ms = clock_.lap_ms();
+    add({std::move(id), ms, bytes, kept});
+    return ms;
+  }
   // A resource, a part of the code, or a pass whose result is there from a picture before.
   void item(std::string id, std::size_t bytes = 0, bool kept = false) { add({std::move(id), 0, bytes, kept}); }
   // More bytes of a line that is there.
@@ -36,18 +43,21 @@ class PassRecorder {
       if (p.id == id) p.bytes += bytes;
   }
   // What lies between two passes and belongs to neither.
-  void skip() { clock_.lap_ms(); }
+  void skip() {
+    if constexpr (!only_plain) clock_.lap_ms();
+  }
 
-  // Ends it all.
-  void finish(Frame& frame) {
+  // Ends it all: fills Frame::passes. Returns the milliseconds since the recorder was made.
+  double finish(Frame& frame) {
     clock_.lap_ms();
-    frame.cpu_ms = clock_.total_ms();
     frame.passes = std::move(passes_);
+    return clock_.total_ms();
   }
 
  private:
   // A pass that runs again adds to its line.
   void add(PassRun run) {
+    if constexpr (only_plain) return;
     for (PassRun& p : passes_)
       if (p.id == run.id) {
         p.cpu_ms += run.cpu_ms, p.bytes = std::max(p.bytes, run.bytes), p.kept = p.kept && run.kept;

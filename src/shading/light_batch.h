@@ -3,6 +3,7 @@
 // every extreme is treated in one place.
 #pragma once
 #include "math/power.h"
+#include "scene/only_plain.h"
 #include "shading/light_parts.h"
 
 namespace cg {
@@ -131,28 +132,28 @@ inline int add_light(const LightOnMaterial<Real>& on, Reflection reflection, Rea
   EightVectors<Real> L;
   Eight<Real> factor, n_dot_l, lobe;
   int odd = 0;
-  if (on.scaled())
+  if (optional(on.scaled()))
     for (int i = 0; i < batch_size; ++i) factor[i] = Real(1);
-  if (on.parts.point)
+  if (optional(on.parts.point))
     odd += towards_light(on, P, L, factor);
   else
     for (int i = 0; i < batch_size; ++i)
       L.x[i] = light.position.x, L.y[i] = light.position.y, L.z[i] = light.position.z;
-  if (on.parts.spot) add_cone(light, L, factor);
-  if (on.parts.normal())
+  if (optional(on.parts.spot)) add_cone(light, L, factor);
+  if (only_plain || on.parts.normal())
     for (int i = 0; i < batch_size; ++i) {
       const Real cosine = N.x[i] * L.x[i] + N.y[i] * L.y[i] + N.z[i] * L.z[i];
       n_dot_l[i] = cosine > Real(0) ? cosine : Real(0);
     }
   else
     for (int i = 0; i < batch_size; ++i) n_dot_l[i] = Real(0);
-  if (on.parts.specular) {
+  if (optional(on.parts.specular)) {
     odd += find_lobe(reflection, n, N, L, V, n_dot_l, lobe);
     return odd + (on.scaled() ? add_terms<true, true>(on, n_dot_l, lobe, factor, I)
                               : add_terms<true, false>(on, n_dot_l, lobe, factor, I));
   }
-  return odd + (on.scaled() ? add_terms<false, true>(on, n_dot_l, lobe, factor, I)
-                            : add_terms<false, false>(on, n_dot_l, lobe, factor, I));
+  return odd + (optional(on.scaled()) ? add_terms<false, true>(on, n_dot_l, lobe, factor, I)
+                                      : add_terms<false, false>(on, n_dot_l, lobe, factor, I));
 }
 
 }  // namespace batch
@@ -190,14 +191,14 @@ class LightBatch {
     int odd = !ordinary_;
     if (odd == 0) {
       EightVectors<Real> V;
-      if (local_viewer())
+      if (optional(local_viewer()))
         for (int i = 0; i < batch_size; ++i) V.set(i, unit(-P.get(i)));
       else
         for (int i = 0; i < batch_size; ++i) V.x[i] = V.y[i] = Real(0), V.z[i] = Real(1);
       for (int i = 0; i < batch_size; ++i) I.x[i] = base_.x, I.y[i] = base_.y, I.z[i] = base_.z;
       for (const batch::LightOnMaterial<Real>& on : lights_)
         odd += batch::add_light(on, lighting_->reflection, material_.n, P, N, V, I);
-      if (lighting_->clamp)
+      if (optional(lighting_->clamp))
         for (int i = 0; i < batch_size; ++i)
           I.x[i] = saturate(I.x[i]), I.y[i] = saturate(I.y[i]), I.z[i] = saturate(I.z[i]);
     }

@@ -25,7 +25,8 @@ LightParts light_parts(const EyeLight<Real>& light, const EyeMaterial<Real>& m) 
   p.diffuse = some<Real>(light.diffuse * m.k_d);
   p.specular = some<Real>(light.specular * m.k_s);
   if (!p.lit()) return p;
-  const bool plain = light.k_0 == Real(1) && light.k_1 == Real(0) && light.k_2 == Real(0);
+  // 0, 0, 0 is taken as 1, 0, 0.
+  const bool plain = (light.k_0 == Real(1) || light.k_0 == Real(0)) && light.k_1 == Real(0) && light.k_2 == Real(0);
   p.attenuation = !light.directional && !plain;
   p.spot = light.spot_cosine > Real(-2);
   const bool direction = p.normal() || p.attenuation || p.spot;

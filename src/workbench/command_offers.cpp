@@ -83,6 +83,9 @@ void CommandParser::add_plan() {
       {"What a technique runs for a scene, and what it leaves out", "手法が行う処理と、省く処理とその理由を示す"},
       run_plan);
   add_technique(app);
+  add(app, "--repeats", arguments.repeats, "N",
+      {"Pictures that are measured after the first, 5; 0 draws none",
+       "最初の 1 枚のあとに測る枚数。既定は 5、0 なら描画しない"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 

@@ -32,40 +32,6 @@ void write_difference(const fs::path& file, const Comparison& c, double gain) {
   write_image(file, error, Display{});
 }
 
-Tree json_of(const Plan& plan, const Arguments& a, const View& view) {
-  Tree::List passes, notes;
-  for (const Pass& pass : plan.passes)
-    passes.push_back(Tree::Members{{"id", pass.id},
-                                   {"name", pass.name.en},
-                                   {"needed", pass.needed},
-                                   {"reason", pass.reason.en},
-                                   {"bytes", pass.bytes}});
-  for (const Text& note : plan.notes) notes.emplace_back(note.en);
-  return Tree::Members{{"scene", a.scene},      {"technique", plan.technique}, {"width", view.width},
-                       {"height", view.height}, {"passes", std::move(passes)}, {"notes", std::move(notes)}};
-}
-
-std::string size_text(std::size_t bytes) {
-  if (bytes < 1024) return std::to_string(bytes) + " B";
-  if (bytes < std::size_t(10) << 20) return std::to_string((bytes + 512) >> 10) + " KiB";
-  return std::to_string((bytes + (std::size_t(1) << 19)) >> 20) + " MiB";
-}
-
-std::string text_of(const Plan& plan, const std::string& scene, const View& view, Language language) {
-  std::string out =
-      plan.technique + ": " + scene + ", " + std::to_string(view.width) + "×" + std::to_string(view.height) + "\n";
-  std::size_t all = 0;
-  for (const Pass& pass : plan.passes) {
-    out += std::string(pass.needed ? "  + " : "  - ") + std::string(pass.name.in(language));
-    if (pass.needed && pass.bytes > 0) out += " (" + size_text(pass.bytes) + ")";
-    out += ": " + pass.reason.in(language) + "\n";
-    all += pass.bytes;
-  }
-  out += "  = " + size_text(all) + "\n";
-  for (const Text& note : plan.notes) out += "  ! " + note.in(language) + "\n";
-  return out;
-}
-
 }  // namespace
 
 int run_render(const Arguments& a, std::span<const Technique> techniques, Language language) {
@@ -110,15 +76,6 @@ int run_compare(const Arguments& a, std::span<const Technique> techniques, Langu
   const Text text{"the largest error is over --max-error: " + over, "最大誤差が --max-error を超えました：" + over};
   std::fprintf(stderr, "shadebench: %s\n", text.in(language).c_str());
   return 1;
-}
-
-int run_plan(const Arguments& a, std::span<const Technique> techniques, Language language) {
-  const View view = view_of(a);
-  const Scene scene = scene_for(a, language);
-  const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
-  const Plan plan = technique.plan(scene, view);
-  print(a.json ? to_json(json_of(plan, a, view)) + "\n" : text_of(plan, a.scene, view, language));
-  return 0;
 }
 
 int run_without_display(const Arguments& a, std::span<const Technique> techniques, Language language) {

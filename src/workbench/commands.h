@@ -59,7 +59,8 @@ int run_compare(const Arguments& arguments, std::span<const Technique> technique
 // What the colour of one pixel is made of.
 int run_probe(const Arguments& arguments, std::span<const Technique> techniques, Language language);
 
-// The passes that a technique runs for the scene, those that it leaves out, and why.
+// The passes that a technique runs for the scene, those that it leaves out, and why, measured: 1 where something else
+// ran than was planned.
 int run_plan(const Arguments& arguments, std::span<const Technique> techniques, Language language);
 
 // Without a display: the scene by OpenGL and in software, the pictures in the user's cache folder, the comparison on

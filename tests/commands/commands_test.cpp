@@ -124,8 +124,17 @@ TEST_F(CommandTest, Plan) {
   for (const Tree& pass : *t.find("passes")->list()) {
     EXPECT_FALSE(pass.find("id")->string()->empty());
     EXPECT_FALSE(pass.find("reason")->string()->empty());
-    EXPECT_TRUE(*pass.find("needed")->boolean() || *pass.find("bytes")->number() == 0);
+    EXPECT_EQ(*pass.find("needed")->boolean(), *pass.find("ran")->boolean());
+    EXPECT_TRUE(*pass.find("needed")->boolean() || *pass.find("held_bytes")->number() == 0);
+    EXPECT_GE(*pass.find("ms")->number(), 0);
   }
+  EXPECT_TRUE(*t.find("agrees")->boolean());
+  EXPECT_GT(*t.find("ms")->number(), 0);
+  const Tree undrawn = parse_json(run({"plan", "teapot", "--json", "--repeats", "0"}).out, "plan");
+  EXPECT_FALSE(undrawn.find("ms"));
+  EXPECT_EQ(undrawn.find("passes")->list()->size(), t.find("passes")->list()->size());
+  EXPECT_NE(run({"plan", "teapot"}, {{"LANG", "ja_JP.UTF-8"}}).out.find("省いたもの"), std::string::npos);
+  EXPECT_EQ(run({"plan", "teapot", "--repeats", "-1"}).status, 2);
 }
 
 TEST_F(CommandTest, FilesAndPresetsWithAnyName) {

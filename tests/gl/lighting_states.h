@@ -219,15 +219,13 @@ class LightingPictures {
     const glm::mat4 object(scaling(kind.scale));
     for (const Batch& b : p.batches) {
       const glm::dmat4 view = view_matrix(b.scene.camera);
-      const auto lighting = lighting_in_eye_space<double>(b.scene, view);
-      const ColorMaterial tracked = b.scene.shading.color_material;
+      const auto lighting = lighting_in_eye_space<float>(b.scene, view);
+      const auto material = eye_material<float>(b.scene.material, b.scene.shading.color_material);
       Plan of_this = plan;
       of_this.passes[1].needed = b.scene.shading.local_viewer;
-      Program& program = programs_.get(
-          shader_features(b.scene.shading, of_this, lighting, eye_material<double>(b.scene.material, tracked)));
+      Program& program = programs_.get(shader_features(b.scene.shading, of_this, lighting, material));
       program.use();
-      program.set(lighting_in_eye_space<float>(b.scene, view));
-      program.set(eye_material<float>(b.scene.material, tracked));
+      program.set(lighting, material);
       program.set("surface_to_clip", surface_to_clip(points_projection(), object));
       program.set("surface_to_eye", object);
       program.set("normal_to_eye", normals_to_eye<float>(scaling(kind.scale), b.scene.shading.normal_length).matrix);

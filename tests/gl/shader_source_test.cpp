@@ -12,8 +12,8 @@ namespace {
 ShaderSource shaders_of(const Scene& scene, const View& view = View{}) {
   const Plan plan = gl_plan(scene, view);
   return surface_shaders(shader_features(scene.shading, plan,
-                                         lighting_in_eye_space<double>(scene, view_matrix(scene.camera)),
-                                         eye_material<double>(scene.material, scene.shading.color_material)));
+                                         lighting_in_eye_space<float>(scene, view_matrix(scene.camera)),
+                                         eye_material<float>(scene.material, scene.shading.color_material)));
 }
 
 bool mentions(const ShaderSource& s, const char* word) {

@@ -46,7 +46,7 @@ void main() {
   if (!gl_FrontFacing) facing = -facing;
 #endif
 #endif
-  colour = vec4(light_point(material, at, facing), 1.0);
+  colour = vec4(light_point(at, facing), 1.0);
 #else
 #ifdef TWO_SIDED
   colour = vec4(gl_FrontFacing ? front : back, 1.0);

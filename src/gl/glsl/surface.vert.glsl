@@ -60,9 +60,9 @@ void main() {
   N = eye_normal(normal);
 #endif
 #ifndef PHONG
-  front = light_point(material, P, N);
+  front = light_point(P, N);
 #ifdef TWO_SIDED
-  back = light_point(material, P, -N);
+  back = light_point(P, -N);
 #endif
 #endif
 #ifdef NORMALS

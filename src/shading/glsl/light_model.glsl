@@ -1,18 +1,43 @@
-// The twin of shading/light_model.h, for the lights that a scene has; needs vec.glsl.
+// The twin of shading/light_model.h, for what a scene uses of it; needs vec.glsl.
 //
 //   I = E + I_a k_a + sum_i att_i spot_i [ I_ai k_a + I_di k_d (N.L_i) + f_i I_si k_s (R_i.V)^n  or  (N.H_i)^n ]
+#ifdef MATERIAL
 struct EyeMaterial {
-  vec3 k_a, k_d, k_s, emission;
+#ifdef K_A
+  vec3 k_a;
+#endif
+#ifdef DIFFUSE
+  vec3 k_d;
+#endif
+#ifdef SPECULAR
+  vec3 k_s;
   float n;
+#endif
+#ifdef EMISSION
+  vec3 emission;
+#endif
 };
-
-uniform vec3 ambient;  // I_a, global
 uniform EyeMaterial material;
+#endif
+
+#ifdef AMBIENT
+uniform vec3 ambient;  // I_a, global
+#endif
 
 #ifdef LIT
 struct EyeLight {
-  vec3 ambient, diffuse, specular;  // I_ai, I_di, I_si
-  vec3 position;                    // of a directional light: the unit direction towards it
+#ifdef LIGHT_AMBIENT
+  vec3 ambient;  // I_ai
+#endif
+#ifdef DIFFUSE
+  vec3 diffuse;  // I_di
+#endif
+#ifdef SPECULAR
+  vec3 specular;  // I_si
+#endif
+#ifdef DIRECTION
+  vec3 position;  // of a directional light: the unit direction towards it
+#endif
 #ifdef SPOT
   vec3 spot_direction;
   float spot_cosine;  // of the cut-off; -2: no cone
@@ -26,11 +51,6 @@ struct EyeLight {
 #endif
 };
 uniform EyeLight lights[LIGHTS];
-
-struct LightFactors {
-  vec3 L;
-  float n_dot_l, lobe_cosine, lobe, attenuation, spot;
-};
 
 #ifdef SPECULAR
 // log(1 - x), 0 <= x < 1, without losing the digits of a small x.
@@ -52,8 +72,32 @@ float lobe_power(vec3 a, vec3 b, float cosine, float n) {
 }
 #endif
 
-LightFactors light_factors(EyeLight light, float n, vec3 P, vec3 N, vec3 V) {
-  LightFactors f = LightFactors(light.position, 0.0, 0.0, 0.0, 1.0, 1.0);
+#ifdef DIRECTION
+struct LightFactors {
+  vec3 L;
+#ifdef NORMAL
+  float n_dot_l;
+#endif
+#ifdef SPECULAR
+  float lobe;
+#endif
+#ifdef SCALED
+  float share;  // attenuation times spot
+#endif
+};
+
+LightFactors light_factors(EyeLight light, vec3 P, vec3 N, vec3 V) {
+  LightFactors f;
+  f.L = light.position;
+#ifdef NORMAL
+  f.n_dot_l = 0.0;
+#endif
+#ifdef SPECULAR
+  f.lobe = 0.0;
+#endif
+#ifdef SCALED
+  f.share = 1.0;
+#endif
 #ifdef POINT
 #ifdef MIXED
   if (!light.directional) {
@@ -61,7 +105,7 @@ LightFactors light_factors(EyeLight light, float n, vec3 P, vec3 N, vec3 V) {
     float r = length_and_unit(light.position - P, f.L);
 #ifdef ATTENUATION
     float d = light.k_0 + r * (light.k_1 + r * light.k_2);
-    f.attenuation = d > 0.0 ? 1.0 / d : 1.0;
+    f.share = d > 0.0 ? 1.0 / d : 1.0;
 #endif
 #ifdef MIXED
   }
@@ -70,9 +114,9 @@ LightFactors light_factors(EyeLight light, float n, vec3 P, vec3 N, vec3 V) {
 #ifdef SPOT
   if (light.spot_cosine > -2.0) {
     float c = -dot(f.L, light.spot_direction);
-    f.spot = c >= light.spot_cosine && c > 0.0
-                 ? (light.spot_exponent == 0.0 ? 1.0 : pow(min(c, 1.0), light.spot_exponent))
-                 : 0.0;
+    f.share *= c >= light.spot_cosine && c > 0.0
+                   ? (light.spot_exponent == 0.0 ? 1.0 : pow(min(c, 1.0), light.spot_exponent))
+                   : 0.0;
   }
 #endif
 #ifdef NORMAL
@@ -83,47 +127,49 @@ LightFactors light_factors(EyeLight light, float n, vec3 P, vec3 N, vec3 V) {
 #ifdef SPECULAR
 #ifdef HALF_VECTOR
   vec3 H = unit(f.L + V);
-  f.lobe_cosine = max(dot(N, H), 0.0);
-  f.lobe = lobe_power(N, H, f.lobe_cosine, n);
+  f.lobe = lobe_power(N, H, max(dot(N, H), 0.0), material.n);
 #endif
 #ifdef REFLECTION_VECTOR
   vec3 R = 2.0 * cosine * N - f.L;
-  f.lobe_cosine = max(dot(R, V), 0.0);
-  f.lobe = lobe_power(R, V, f.lobe_cosine, n);
+  f.lobe = lobe_power(R, V, max(dot(R, V), 0.0), material.n);
 #endif
 #endif
   return f;
 }
 #endif
-
-#ifdef SPECULAR
-// The unit vector towards the viewer.
-vec3 towards_viewer(vec3 P) {
-#ifdef LOCAL_VIEWER
-  return unit(-P);
-#else
-  return vec3(0.0, 0.0, 1.0);
-#endif
-}
 #endif
 
-vec3 light_point(EyeMaterial m, vec3 P, vec3 N) {
-  vec3 I = m.emission + ambient * m.k_a;
+vec3 light_point(vec3 P, vec3 N) {
+  vec3 I = vec3(0.0);
+#ifdef EMISSION
+  I += material.emission;
+#endif
+#ifdef AMBIENT
+  I += ambient * material.k_a;
+#endif
 #ifdef LIT
-  vec3 V = vec3(0.0, 0.0, 1.0);
-#ifdef SPECULAR
-  V = towards_viewer(P);
+  vec3 V = vec3(0.0, 0.0, 1.0);  // the unit vector towards the viewer
+#ifdef LOCAL_VIEWER
+  V = unit(-P);
 #endif
   for (int i = 0; i < LIGHTS; ++i) {
-    LightFactors f = light_factors(lights[i], m.n, P, N, V);
-    I += f.attenuation * f.spot * (lights[i].ambient * m.k_a
-#ifdef NORMAL
-         + lights[i].diffuse * m.k_d * f.n_dot_l
+    vec3 C = vec3(0.0);
+#ifdef LIGHT_AMBIENT
+    C += lights[i].ambient * material.k_a;
+#endif
+#ifdef DIRECTION
+    LightFactors f = light_factors(lights[i], P, N, V);
+#ifdef DIFFUSE
+    C += lights[i].diffuse * material.k_d * f.n_dot_l;
 #endif
 #ifdef SPECULAR
-         + lights[i].specular * m.k_s * f.lobe
+    C += lights[i].specular * material.k_s * f.lobe;
 #endif
-    );
+#ifdef SCALED
+    C *= f.share;
+#endif
+#endif
+    I += C;
   }
 #endif
 #ifdef CLAMP

@@ -1,8 +1,11 @@
 // The twin of math/vec.h: vectors that stay finite.
+#ifdef CLAMP
 float saturate(float x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; }
 
 vec3 saturate(vec3 v) { return vec3(saturate(v.x), saturate(v.y), saturate(v.z)); }
+#endif
 
+#ifdef UNIT
 // |v| and v/|v|; 0 and (0, 0, 0) where there is no direction.
 float length_and_unit(vec3 v, out vec3 unit) {
   float square = dot(v, v);
@@ -25,3 +28,4 @@ vec3 unit(vec3 v) {
   length_and_unit(v, u);
   return u;
 }
+#endif

@@ -1,0 +1,150 @@
+// bench_plain [--pairs N] [--size WxH]: what the plainest scene costs, beside what it costs in a program that was built
+// without everything else (bench_plain_only: SHADEBENCH_ONLY_PLAIN). Two processes of one source take turns, so that
+// both see the machine at the same speed; CPU time of the whole process. Prints the median of the pairs' ratios with
+// the quartiles. Not a test: a time is no promise on another machine.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "gl/techniques.h"
+#include "raster/software.h"
+#include "scene/cpu_clock.h"
+#include "scene/shape.h"
+
+namespace {
+
+using namespace cg;
+
+constexpr int draws = 12;  // a measurement
+
+struct Case {
+  const char *name, *technique;
+  ShadingMode mode;
+  Precision precision;
+  bool with_plan;  // the plan is made for each picture, as in the window
+};
+constexpr auto single = Precision::single_precision, twice = Precision::double_precision;
+constexpr auto gouraud = ShadingMode::gouraud, phong = ShadingMode::phong;
+constexpr std::array cases{Case{"software, float, Gouraud", "software", gouraud, single, false},
+                           Case{"software, float, Phong", "software", phong, single, false},
+                           Case{"software, double, Gouraud", "software", gouraud, twice, false},
+                           Case{"software, double, Phong", "software", phong, twice, false},
+                           Case{"software, float, Gouraud, plan", "software", gouraud, single, true},
+                           Case{"gl, Gouraud", "gl", gouraud, twice, false},
+                           Case{"gl, Phong", "gl", phong, twice, false},
+                           Case{"gl, Gouraud, plan", "gl", gouraud, twice, true}};
+
+Scene plain_scene(const Case& c) {
+  Scene scene;
+  scene.objects.emplace_back().mesh = make_shape(*find_shape("torus"), 64);
+  scene.camera.position = {0, 1.4, 4};  // all of it in view
+  scene.lights[0].kind = LightKind::directional;
+  scene.material.k_a = scene.material.k_s = {0, 0, 0};
+  scene.shading.ambient = {0, 0, 0};
+  scene.shading.normal_length = NormalLength::off;
+  scene.shading.clamp = false;
+  scene.shading.mode = c.mode, scene.shading.precision = c.precision;
+  return scene;
+}
+
+// Draws what it is told on stdin, a case's number a line; answers with the milliseconds, negative where it cannot.
+int work(const View& view) {
+  std::vector<Technique> all = gl_techniques();
+  for (Technique& t : all) find_availability(t);
+  all.push_back(software_technique());
+  unsigned number = 0;
+  while (std::scanf("%u", &number) == 1 && number < cases.size()) {
+    const Case& c = cases[number];
+    const Technique& t = *std::find_if(all.begin(), all.end(), [&](const Technique& x) { return x.id == c.technique; });
+    const Scene scene = plain_scene(c);
+    Progress progress;
+    double ms = -1;
+    if (!t.unavailable) {
+      Plan plan = t.plan(scene, view);
+      t.render(scene, plan, view, progress);  // warm
+      const double begin = process_cpu_ms();
+      for (int i = 0; i < draws; ++i) {
+        if (c.with_plan) plan = t.plan(scene, view);
+        t.render(scene, plan, view, progress);
+      }
+      ms = (process_cpu_ms() - begin) / draws;
+    }
+    std::printf("%.17g\n", ms);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+// A process that works.
+class Worker {
+ public:
+  Worker(const std::string& program, const std::string& size) {
+    int to[2], from[2];
+    if (pipe(to) != 0 || pipe(from) != 0) std::exit(1);
+    if (fork() == 0) {
+      dup2(to[0], 0), dup2(from[1], 1);
+      for (const int end : {to[0], to[1], from[0], from[1]}) close(end);
+      execl(program.c_str(), program.c_str(), "--work", size.c_str(), nullptr);
+      _exit(127);
+    }
+    close(to[0]), close(from[1]);
+    in_ = fdopen(to[1], "w"), out_ = fdopen(from[0], "r");
+  }
+  double ms(std::size_t number) {
+    std::fprintf(in_, "%zu\n", number);
+    std::fflush(in_);
+    double v = -1;
+    if (std::fscanf(out_, "%lf", &v) != 1) std::exit(1);
+    return v;
+  }
+  void end() { std::fclose(in_), std::fclose(out_), wait(nullptr); }
+
+ private:
+  FILE *in_, *out_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int pairs = 21;
+  std::string size = "512x512";
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--pairs") == 0) pairs = std::max(1, std::atoi(argv[i + 1]));
+    if (std::strcmp(argv[i], "--size") == 0) size = argv[i + 1];
+    if (std::strcmp(argv[i], "--work") == 0) {
+      View view;
+      std::sscanf(argv[i + 1], "%dx%d", &view.width, &view.height);
+      return work(view);
+    }
+  }
+  setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws on the thread that calls it
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+  Worker all(self, size), only(self.parent_path() / "bench_plain_only", size);
+  std::printf("plain scene, %s, CPU time a picture, %d pairs of %d pictures\n", size.c_str(), pairs, draws);
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    std::vector<double> ratios, ms;
+    for (int i = 0; i < pairs; ++i) {
+      double a = 0, b = 0;
+      if (i % 2 == 0)
+        a = all.ms(k), b = only.ms(k);
+      else
+        b = only.ms(k), a = all.ms(k);
+      if (a < 0 || b < 0) break;
+      ratios.push_back(a / b), ms.push_back(a);
+    }
+    if (ratios.empty()) continue;
+    std::sort(ratios.begin(), ratios.end()), std::sort(ms.begin(), ms.end());
+    const auto at = [&](double part) { return ratios[std::size_t(part * double(ratios.size() - 1))]; };
+    std::printf("  %-34s %8.3f ms  %.4f times the plain build (quartiles %.4f %.4f)\n", cases[k].name,
+                ms[ms.size() / 2], at(0.5), at(0.25), at(0.75));
+    std::fflush(stdout);
+  }
+  all.end(), only.end();
+}
