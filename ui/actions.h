@@ -36,8 +36,6 @@ enum class Do {
   challenge,
   plan,
   mesh,
-  trade,
-  extremes,
   code,
   flip_presets,
   turntable,

@@ -1,4 +1,6 @@
-// Fitting a power law: linear least squares of the logarithms, and the search for the part where they are straight.
+// Fitting a power law: linear least squares of the logarithms, and the search for the part where they are straight. The
+// residuals' test is that of James Durbin and Geoffrey Watson, Testing for Serial Correlation in Least Squares
+// Regression, 1950.
 #include "measure/fit.h"
 
 #include <algorithm>
@@ -26,6 +28,7 @@ struct Fitted {
   LineFit line;
   double residual = 0;   // root mean square, decades
   double curvature = 0;  // Fisher's F of a quadratic term: how much better a parabola meets the points
+  double scatter = 2;    // Durbin and Watson's d of the residuals: about 2 where neighbours have nothing in common
 };
 
 // Of the residuals `off` of a line: what a parabola takes away, held against what it leaves.
@@ -59,6 +62,9 @@ std::optional<Fitted> fit(std::span<const LogPoint> points) {
     squares += off.back() * off.back();
   }
   out.curvature = f_of_parabola(points, off, mean_x, xx);
+  double steps = 0;
+  for (std::size_t i = 1; i < off.size(); ++i) steps += (off[i] - off[i - 1]) * (off[i] - off[i - 1]);
+  if (squares > 0) out.scatter = steps / squares;
   if (points.size() > 2) out.line.standard_error = std::sqrt(squares / (n - 2) / xx);
   out.residual = std::sqrt(squares / n);
   out.line.x_low = std::pow(10, points.front().x);
@@ -69,10 +75,11 @@ std::optional<Fitted> fit(std::span<const LogPoint> points) {
 
 // Met so closely that no bend would matter; or by few points; or loosely by enough points that show no bend.
 bool is_straight(const Fitted& f, double tolerance) {
-  constexpr double bent = 4;  // F of 4: one chance in ten, or less, for six points and more
+  constexpr double bent = 4;         // F of 4: one chance in ten, or less, for six points and more
+  constexpr double wandering = 1.3;  // d below: neighbours lie on the same side (5 % for ten points)
   if (f.residual <= tolerance / 4) return true;
   if (f.line.points < 5) return f.residual <= tolerance;
-  return f.residual <= 4 * tolerance && f.curvature < bent;
+  return f.residual <= 4 * tolerance && f.curvature < bent && f.scatter > wandering;
 }
 
 double off_the_line(const LineFit& line, const LogPoint& p) {
@@ -102,9 +109,10 @@ std::optional<LineFit> fit_straight_part(std::span<const double> x, std::span<co
   // A point belongs to a bend where it is clearly farther from the line than those that made it.
   LineFit line = best->line;
   const double clearly = std::max(2 * tolerance, 3 * best->residual);
-  if (first > 0 && off_the_line(line, all[first - 1]) > clearly) line.bend_low = std::pow(10, all[first - 1].x);
-  if (const std::size_t next = first + line.points; next < all.size() && off_the_line(line, all[next]) > clearly)
-    line.bend_high = std::pow(10, all[next].x);
+  for (std::size_t i = first; i > 0 && !line.bend_low; --i)
+    if (off_the_line(line, all[i - 1]) > clearly) line.bend_low = std::pow(10, all[i - 1].x);
+  for (std::size_t i = first + line.points; i < all.size() && !line.bend_high; ++i)
+    if (off_the_line(line, all[i]) > clearly) line.bend_high = std::pow(10, all[i].x);
   return line;
 }
 

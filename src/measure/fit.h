@@ -22,8 +22,9 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
 
 // By the longest run of neighbouring points, at least three, that is straight; of runs of one length the straightest.
 // Straight: a line meets three or four points to within `tolerance` (root mean square, decades), more of them to within
-// four times that if a parabola is not significantly better; or all to within a quarter of it. Where there is no such
-// run: by all points. Points whose error is not above 0 are left out. The prediction has no say in it.
+// four times that if a parabola is not significantly better and they scatter about it; or all to within a quarter of
+// it. Where there is no such run: by all points. Points whose error is not above 0 are left out. The prediction has no
+// say in it.
 std::optional<LineFit> fit_straight_part(std::span<const double> x, std::span<const double> error,
                                          double tolerance = 0.04);
 

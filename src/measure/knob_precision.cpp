@@ -45,7 +45,7 @@ Knob precision_knob() {
   k.parameter = "shading.precision";
   k.abscissa = {"n", {"shininess", "鏡面反射の鋭さ"}};
   k.reference = {"the same highlight in double", "double で計算した同じハイライト"};
-  k.error = {"RMSE and maximum of the linear highlight over its pixels", "線形なハイライトの RMSE と最大誤差"};
+  k.error = {"largest error of the linear highlight", "線形なハイライトの最大誤差"};
   k.plotted = ErrorKind::max;
   k.series = {{"float", {"float", "float"}}};
   k.predictions = {{.of = ErrorKind::max,

@@ -60,6 +60,10 @@ Knob reflection_knob() {
        .law = "n^(-1/2)",
        .why = {"The two lobes keep their shapes while their area shrinks as 1/n.",
                "二つの山は形を保ったまま、面積が 1/n で縮む。"},
+       .otherwise =
+           {"Where the surface bends in one direction only (a rim, a handle) the highlight is a strip: its area "
+            "shrinks as n^(-1/2), and the error as n^(-1/4).",
+            "一方向にだけ曲がる面（縁や取っ手）ではハイライトが帯になり、面積は n^(-1/2)、誤差は n^(-1/4) で縮む。"},
        .source = "James Blinn, Models of Light Reflection, 1977; Frederick Fisher and Andrew Woo, R.E versus N.H "
                  "Specular Highlights, 1994"},
       {.of = ErrorKind::max,

@@ -99,9 +99,9 @@ Plot speed_plot(const Trade& trade) {
   add_series_entries(knob, plot);
   plot.legend.push_back({PlotInk::front, Plot::Entry::Sign::line, {"Pareto front", "パレートフロント"}});
   const Words numbers = knob.labels.en.empty() ? knob.abscissa.name : knob.labels;
-  plot.legend.push_back({PlotInk::dim,
-                         Plot::Entry::Sign::none,
-                         {"numbers: " + std::string(numbers.en), "数字：" + std::string(numbers.ja)}});
+  const auto say = [&](Text text) { plot.legend.push_back({PlotInk::dim, Plot::Entry::Sign::none, std::move(text)}); };
+  say({"numbers: " + std::string(numbers.en), "数字：" + std::string(numbers.ja)});
+  if (const std::string time = reference_time(trade); time != "0 ms") say({"reference: " + time, "基準：" + time});
   return plot;
 }
 

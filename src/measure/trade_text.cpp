@@ -130,6 +130,7 @@ std::string text_of(const Trade& trade, Language language) {
   std::string out = say(knob.name) + say({": ", "："}) + trade.scene + ", " + std::to_string(trade.width) + "×" +
                     std::to_string(trade.height) + "\n";
   out += "  " + trade.machine.cpu + (trade.machine.renderer.empty() ? "" : "; " + trade.machine.renderer) + "\n";
+  out += say({"  reference: ", "  基準："}) + say(knob.reference) + ", " + reference_time(trade) + "\n";
   for (std::size_t i = 0; i < trade.points.size(); ++i) {
     const Setting& s = trade.ladder.settings[i];
     const TradePoint& p = trade.points[i];

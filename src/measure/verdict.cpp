@@ -1,5 +1,6 @@
 #include "measure/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "params/numbers.h"
@@ -61,6 +62,14 @@ std::string short_number(double v, int digits) {
   };
   if (exponent >= -3 && exponent <= 5) return decimal(exponent - digits + 1);
   return decimal(1 - digits) + "e" + std::to_string(exponent);
+}
+
+std::string reference_time(const Trade& trade) {
+  if (trade.reference_ms.empty()) return {};
+  const auto [low, high] = std::minmax_element(trade.reference_ms.begin(), trade.reference_ms.end(),
+                                               [](const Spread& a, const Spread& b) { return a.median < b.median; });
+  const std::string least = short_number(low->median), most = short_number(high->median);
+  return (least == most ? least : least + "–" + most) + " ms";
 }
 
 PredictionCheck check_prediction(const Trade& trade, std::size_t index) {

@@ -75,6 +75,20 @@ TEST(FitTest, SaturationIsABendAtTheCoarseEnd) {
   EXPECT_FALSE(fit->bend_low);
 }
 
+// A slope that changes and changes back is no straight line, though neither end leaves it and a parabola is no better.
+TEST(FitTest, AnSIsNotTakenForALine) {
+  Curve c;
+  double error = 1;
+  for (int i = 0; i < 10; ++i) {
+    c.x.push_back(std::exp2(i));
+    c.error.push_back(error);
+    error *= std::exp2(i < 3 || i > 5 ? -0.8 : -0.2);
+  }
+  const auto fit = fit_straight_part(c.x, c.error);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->points, c.x.size());
+}
+
 TEST(FitTest, WhatHasNoLogarithmIsLeftOut) {
   Curve c = power_law(1, 1, 5);
   c.error[0] = 0;
