@@ -47,6 +47,8 @@ constexpr std::array list{
     Action{Do::code, {"Program", "プログラム"}, "C", GLFW_KEY_C},
     Action{Do::plan, {"Plan", "計画"}, "P", GLFW_KEY_P},
     Action{Do::mesh, {"Mesh", "メッシュ"}, "M", GLFW_KEY_M},
+    Action{Do::trade, {"Speed against accuracy", "速さと精度"}, "R", GLFW_KEY_R},
+    Action{Do::extremes, {"Extreme values", "極端な値"}, "E", GLFW_KEY_E},
     Action{Do::next_step, {"Next step", "次のステップ"}, "Page Down", GLFW_KEY_PAGE_DOWN},
     Action{Do::previous_step, {"Previous step", "前のステップ"}, "Page Up", GLFW_KEY_PAGE_UP},
     Action{Do::play, {"Play a slider", "スライダを動かす"}, "Space", GLFW_KEY_SPACE},
@@ -161,7 +163,10 @@ void perform(App& app, Do what) {
     case Do::challenge:
     case Do::plan:
     case Do::mesh:
-      static_assert(int(Do::mesh) - int(Do::lesson) == int(Side::mesh) - int(Side::lesson), "in the same order");
+    case Do::trade:
+    case Do::extremes:
+      static_assert(int(Do::extremes) - int(Do::lesson) == int(Side::extremes) - int(Side::lesson),
+                    "in the same order");
       show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
       break;
     case Do::flip_presets:

@@ -36,6 +36,8 @@ enum class Do {
   challenge,
   plan,
   mesh,
+  trade,
+  extremes,
   code,
   flip_presets,
   turntable,

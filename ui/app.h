@@ -63,19 +63,22 @@ struct Editing {
 
 // The dialogue that is open, over all else.
 struct Dialogue {
-  enum Kind { none, open, save, picture, export_scene } kind = none;
+  enum Kind { none, open, save, picture, export_scene, trade } kind = none;
   std::string text;
-  bool fresh = false;  // it opens in this frame
-  int format = 2;      // of an export: an ExportFormat
+  bool fresh = false;        // it opens in this frame
+  int format = 2;            // of an export: an ExportFormat; of a trade: CSV, JSON, SVG
+  std::string subject = {};  // of a trade: the knob's id
 };
 
 class ChallengeGame;
+class ExtremesDesk;
 struct LectureDesk;
 class LessonPlayer;
 class MistakeJobs;
 class Panes;
 class Recorder;
 class StateDump;
+class TradeDesk;
 class WorldView;
 struct QuizGame;
 
@@ -123,6 +126,8 @@ struct App {
   PresetShelf presets;
   std::shared_ptr<MistakeJobs> mistake_jobs;  // null before the panel was shown
   std::shared_ptr<QuizGame> quiz;             // null: none is going on
+  std::shared_ptr<TradeDesk> trades;          // through trades_of()
+  std::shared_ptr<ExtremesDesk> extremes;     // through extremes_of()
 
   double content_scale = 1;  // of the monitor
   Editing editing;

@@ -119,6 +119,9 @@ void draw_dialogues(App& app) {
       case Dialogue::export_scene:
         if (draw_export_dialogue(app)) close(app);
         break;
+      case Dialogue::trade:
+        if (draw_trade_dialogue(app)) close(app);
+        break;
       case Dialogue::none:
         ImGui::CloseCurrentPopup();
         break;

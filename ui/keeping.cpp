@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/app.h"
+#include "ui/extremes_desk.h"
 #include "ui/lesson_player.h"
 #include "ui/quiz.h"
 
@@ -42,6 +43,7 @@ void keep(App& app, const Placement& placement, SessionStore& store) {
   Placement place = placement;
   Session session;
   session.scene = app.quiz ? app.quiz->quiz.before() : app.scene;
+  if (!can_be_kept(*session.scene) && app.extremes) session.scene = app.extremes->before;
   session.source = app.preset;
   session.recent = app.recent;
   session.settings = values_of(slots(app.settings));

@@ -84,7 +84,8 @@ bool both_below(const App& app, float width) { return width >= app.look.px(least
 bool side_goes_down(const App& app, float width) {
   const Settings& s = app.settings;
   if (!s.code) return width >= app.look.px(least_equation);
-  const bool reads = s.side == Side::lesson || s.side == Side::challenge;
+  const bool reads =
+      s.side == Side::lesson || s.side == Side::challenge || s.side == Side::trade || s.side == Side::extremes;
   return width >= app.look.px(least_equation) + app.look.px(reads ? least_code : float(s.code_width));
 }
 

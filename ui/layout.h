@@ -29,6 +29,8 @@ void draw_presets_panel(App& app);
 void draw_challenge_panel(App& app);
 void draw_plan_panel(App& app);
 void draw_mesh_panel(App& app);
+void draw_trade_panel(App& app);
+void draw_extremes_panel(App& app);
 // On top of all: what was to be said, the list of shortcuts, the dialogues.
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);
@@ -38,5 +40,6 @@ void draw_dialogues(App& app);
 bool path_field(App& app, const Words& hint, float width = 520);
 bool save_field(App& app, const Words& hint, float width = 520);  // with the folder under it
 bool draw_picture_dialogue(App& app);                             // into the popup; true when it is done
+bool draw_trade_dialogue(App& app);                               // the same
 
 }  // namespace cg

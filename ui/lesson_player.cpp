@@ -5,6 +5,7 @@
 #include "raster/software.h"
 #include "ui/app.h"
 #include "ui/keeping.h"
+#include "ui/trade_desk.h"
 #include "workbench/data_folder.h"
 #include "workbench/environment.h"
 #include "workbench/lesson_watcher.h"
@@ -212,6 +213,7 @@ void LessonPlayer::take_measured(Measured measured) {
 
 // One step of undo, whatever is being dragged.
 void LessonPlayer::apply(App& app, const Scene& scene, const LessonView& view) {
+  stop_measuring(app);
   app.history.end_gesture();
   app.scene = scene;
   app.history.change(app.scene);

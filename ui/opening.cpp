@@ -7,6 +7,7 @@
 #include "image/image_file.h"
 #include "ui/app.h"
 #include "ui/quiz.h"
+#include "ui/trade_desk.h"
 #include "workbench/environment.h"
 #include "workbench/import.h"
 #include "workbench/model_library.h"
@@ -67,6 +68,7 @@ namespace {
 // Another scene in place of the one in hand.
 void replace_scene(App& app, Scene scene, const std::string& what) {
   leave_quiz(app);
+  stop_measuring(app);
   app.scene = std::move(scene);
   app.preset = what.ends_with(".json") ? what : std::string();
   app.light = app.object = 0;

@@ -13,16 +13,18 @@ template <>
 inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
 
 // What the right side shows.
-enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh };
+enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh, trade, extremes };
 template <>
-inline constexpr std::array<Name, 8> names_of<Side>{{{"none", {"Closed", "閉じる"}},
-                                                     {"lesson", {"Lesson", "授業"}},
-                                                     {"world", {"World", "外から"}},
-                                                     {"mistakes", {"Mistakes", "間違い"}},
-                                                     {"presets", {"A | B", "A | B"}},
-                                                     {"challenge", {"Match", "再現"}},
-                                                     {"plan", {"Plan", "計画"}},
-                                                     {"mesh", {"Mesh", "メッシュ"}}}};
+inline constexpr std::array<Name, 10> names_of<Side>{{{"none", {"Closed", "閉じる"}},
+                                                      {"lesson", {"Lesson", "授業"}},
+                                                      {"world", {"World", "外から"}},
+                                                      {"mistakes", {"Mistakes", "間違い"}},
+                                                      {"presets", {"A | B", "A | B"}},
+                                                      {"challenge", {"Match", "再現"}},
+                                                      {"plan", {"Plan", "計画"}},
+                                                      {"mesh", {"Mesh", "メッシュ"}},
+                                                      {"trade", {"Trade", "速さと精度"}},
+                                                      {"extremes", {"Extremes", "極端な値"}}}};
 
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
@@ -57,6 +59,7 @@ struct Settings {
   bool divided_by_w = false;           // the view from outside
   bool code = true;                    // the listing, beside the equation;
   bool code_in_front = false;          // or, where there is no room for both, before it
+  std::string knob, extreme;           // ids of what the panels of trades and extremes have open; empty: none
   std::string lesson;                  // where the open lesson is: "03-shading:2"; empty: none
   Recorded picture = Recorded::right;  // what is saved or recorded
   RecordedAs record_as = RecordedAs::gif;
@@ -114,6 +117,8 @@ inline constexpr auto fields_of<Settings> = std::tuple{
     field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
     field(&Settings::divided_by_w, {.name = "divided_by_w", .label = {"After the division by w", "w で割った後"}}),
     field(&Settings::lesson, {.name = "lesson", .label = {"Lesson", "授業"}}),
+    field(&Settings::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
+    field(&Settings::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),
     field(&Settings::picture, {.name = "picture", .label = {"Saved or recorded", "保存・録画するもの"}}),
     field(&Settings::record_as, {.name = "record_as", .label = {"Recorded as", "録画の形式"}}),
     field(&Settings::sweep_seconds, {.name = "sweep_seconds",

@@ -1,10 +1,14 @@
 #include "ui/state_dump.h"
 
+#include <algorithm>
+
 #include "params/file.h"
 #include "ui/app.h"
 #include "ui/challenge_game.h"
+#include "ui/extremes_desk.h"
 #include "ui/lesson_player.h"
 #include "ui/recording.h"
+#include "ui/trade_desk.h"
 #include "workbench/preset.h"
 
 namespace cg {
@@ -44,6 +48,28 @@ Tree challenge_state(const App& app) {
   return out;
 }
 
+Tree trade_state(const App& app) {
+  Tree out;
+  const std::span<const Knob> all = knobs();
+  const auto knob = std::find_if(all.begin(), all.end(), [&](const Knob& k) { return k.id == app.settings.knob; });
+  out.at("measuring") = app.trades && app.trades->running();
+  if (!app.trades || knob == all.end()) return out;
+  if (const auto measured = app.trades->of(*knob)) out.at("points") = int(measured->trade.points.size());
+  const auto chosen = app.trades->chosen.find(app.settings.knob);
+  if (chosen != app.trades->chosen.end()) out.at("chosen") = int(chosen->second);
+  return out;
+}
+
+Tree extremes_state(const App& app) {
+  Tree out;
+  out.at("checking") = app.extremes && app.extremes->checking_all();
+  for (const ExtremeCase& c : extreme_cases())
+    if (c.id == app.settings.extreme && app.extremes)
+      if (const auto verdict = app.extremes->verdict(c))
+        out.at("verdict") = std::string(names_of<Verdict>[std::size_t(*verdict)].id);
+  return out;
+}
+
 }  // namespace
 
 void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
@@ -61,6 +87,8 @@ void StateDump::write(App& app, bool busy) {
   out.at("lesson") = lesson_state(app);
   out.at("probe") = probe_state(app);
   out.at("challenge") = challenge_state(app);
+  out.at("trade") = trade_state(app);
+  out.at("extremes") = extremes_state(app);
   out.at("presenting") = app.presenter.on;
   out.at("black") = app.presenter.black;
   out.at("sweeping") = app.sweep.item != 0;

@@ -1,5 +1,7 @@
 #include "ui/texts.h"
 
+#include "measure/extreme.h"
+#include "measure/knob.h"
 #include "params/slots.h"
 #include "scene/scene.h"
 #include "ui/actions.h"
@@ -28,6 +30,13 @@ void note_all_texts(Glyphs& glyphs, Language language) {
     glyphs.note(a.label.in(language));
     glyphs.note(a.keys);
   }
+  for (const Knob& knob : knobs()) {
+    for (const Words& words : {knob.name, knob.help, knob.abscissa.name, knob.error}) glyphs.note(words.in(language));
+    for (const Series& series : knob.series) glyphs.note(series.name.in(language));
+    for (const Prediction& p : knob.predictions)
+      for (const std::string_view text : {p.law, p.why.in(language), p.source}) glyphs.note(text);
+  }
+  for (const ExtremeCase& c : extreme_cases()) glyphs.note(c.name.in(language)), glyphs.note(c.right.in(language));
   // Of messages that come later, so that they seldom cost a new atlas.
   glyphs.note("日本語…–−×·°²ΣαθπΔ≤≥→“”’");
   if (language == Language::japanese)

@@ -101,6 +101,24 @@ bool button(App& app, const char* id, const Press& press) {
   return pressed;
 }
 
+float tab_width(const App& app, std::string_view label) {
+  return text_width(app.look.fonts.small, label) + 2 * app.look.px(7);
+}
+
+bool tab(App& app, const char* id, std::string_view label, bool chosen) {
+  Look& look = app.look;
+  label = noted(app, label);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{tab_width(app, label), look.px(28)};
+  const bool pressed = ImGui::InvisibleButton(id, size);
+  note_place(app, "button", label);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 face = chosen ? look.palette.accent : ImGui::IsItemHovered() ? look.palette.raised_hover : 0;
+  if (face) draw->AddRectFilled(at, {at.x + size.x, at.y + size.y}, face, look.px(4));
+  set_text(draw, look.fonts.small, {at.x + look.px(7), centred_baseline(look.fonts.small, at.y, size.y)},
+           chosen ? look.palette.on_accent : look.palette.text, label);
+  return pressed;
+}
+
 bool choose(App& app, const char* id, std::span<const Name> names, int& chosen) {
   if (names.empty()) return false;
   const int old = chosen;
@@ -179,6 +197,17 @@ bool slider(App& app, const char* id, double& position, ImU32 colour, bool lit, 
   draw->AddCircleFilled({x, y}, r, look.palette.knob);
   if (look.palette.knob_edge) draw->AddCircle({x, y}, r, look.palette.knob_edge, 0, look.px(1));
   return moved;
+}
+
+void progress_bar(App& app, float fraction, float width) {
+  const Look& look = app.look;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  width = std::max(width, 1.0f);
+  const float y = at.y + look.px(16), thick = look.px(2), share = fraction > 0 ? std::min(fraction, 1.0f) : 0.0f;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({at.x, y - thick}, {at.x + width, y + thick}, look.palette.line, thick);
+  draw->AddRectFilled({at.x, y - thick}, {at.x + share * width, y + thick}, look.palette.accent, thick);
+  ImGui::Dummy({width, look.px(32)});
 }
 
 bool reset_arrow(App& app, const char* id, bool visible, ImVec2 size) {

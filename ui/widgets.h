@@ -31,6 +31,10 @@ struct Press {
 bool button(App& app, const char* id, const Press& press);
 float button_width(const App& app, std::string_view label);
 
+// A smaller button that shows something else in the same place.
+bool tab(App& app, const char* id, std::string_view label, bool chosen);
+float tab_width(const App& app, std::string_view label);
+
 // One of a few: buttons beside each other where they fit, else a drop-down list. True when `chosen` changed.
 bool choose(App& app, const char* id, std::span<const Name> names, int& chosen);
 // A drop-down list that shows `shown` while it is closed; as ImGui::BeginCombo, to be ended with EndCombo.
@@ -40,6 +44,9 @@ bool toggle(App& app, const char* id, std::string_view label, bool& on);
 // A thin line with a round knob at `position` (0..1), `width` wide and `height` high to the mouse. True while a
 // drag moves the knob; `position` is then where it was dragged to.
 bool slider(App& app, const char* id, double& position, ImU32 colour, bool lit, ImVec2 size);
+
+// How far something is, 0..1, beside a button: as high as one.
+void progress_bar(App& app, float fraction, float width);
 
 // The round arrow that sets a value back; an empty place of the same size where `visible` is false.
 bool reset_arrow(App& app, const char* id, bool visible, ImVec2 size);

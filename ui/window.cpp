@@ -28,6 +28,7 @@
 #include "ui/recording.h"
 #include "ui/screenshot.h"
 #include "ui/state_dump.h"
+#include "ui/trade_desk.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
 
@@ -177,6 +178,7 @@ void draw_frame(App& app, Surface& surface) {
   app.errands->finish(app);
   lessons_of(app).update(app);
   game_of(app).update(app);
+  if (app.trades) app.trades->update(app);
   surface.new_frame();
   handle_keys(app, surface.take_keys());
   watch_sweep(app);
@@ -228,6 +230,7 @@ struct ContextUsers {
   ~ContextUsers() {
     app.panes.reset(), app.world.reset();
     app.challenge.reset();
+    app.trades.reset();
   }
 };
 

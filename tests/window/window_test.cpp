@@ -170,6 +170,39 @@ TEST_F(Window, AChallengeIsWonWithTheTargetsNumbers) {
   wait_scene("the scene of the beginning", beginning);
 }
 
+TEST_F(Window, ATradeIsMeasuredAndOneOfItsSettingsTaken) {
+  open(1280, 720, {"torus", "--set", "knob=near-plane"});
+  const Tree beginning = at(window->state(), "scene");
+  window->key("r");
+  screenshot("trade-before-en");
+  window->click("button:Measure");
+  wait_is("trade.measuring", true);
+  window->wait(
+      "the trade", [](const Tree& s) { return at(s, "trade.points").number() != nullptr; }, 60);
+  window->click("point:0");
+  window->wait("a setting in the scene",
+               [&](const Tree& s) { return at(s, "scene") != beginning && at(s, "trade.chosen").number() != nullptr; });
+  EXPECT_EQ(at(window->state(), "scene.camera.position"), at(beginning, "camera.position"));
+  screenshot("trade-en");
+  window->key("ctrl+z");
+  wait_scene("the scene of the beginning", beginning);
+  EXPECT_EQ(at(window->state(), "can_undo"), Tree(false));
+}
+
+TEST_F(Window, AnExtremeIsAppliedAndChecked) {
+  open(1280, 720, {"torus"});
+  const Tree beginning = at(window->state(), "scene");
+  window->key("e");
+  screenshot("extremes-before-en");
+  window->click("extreme:light-grazing-0");
+  window->wait("the extreme scene", [&](const Tree& s) { return at(s, "scene") != beginning; });
+  window->wait(
+      "what came out", [](const Tree& s) { return at(s, "extremes.verdict") == Tree("right"); }, 60);
+  screenshot("extremes-en");
+  window->key("ctrl+z");
+  wait_scene("the scene of the beginning", beginning);
+}
+
 TEST_F(Window, ASliderPlaysAndIsOneStepOfUndo) {
   open(1280, 720, {"torus", "--set", "sweep_seconds=0.5"});
   const Tree beginning = at(window->state(), "scene");
