@@ -19,6 +19,9 @@ struct ExtremeError {
   Text said = {};    // the worst place ("pixel 12,40"), or what a reader answered
 };
 
+// Whether `error` is to take the place of the worst so far: NaN is the worst.
+constexpr bool is_worse(double error, double worst) { return worst == worst && !(error <= worst); }
+
 // How a picture is drawn, whatever the case changes in its scene.
 struct ExtremeVariant {
   ShadingMode mode = ShadingMode::gouraud;
@@ -53,8 +56,8 @@ struct ExtremeScene {
 
 // A file, a preset, an option, a text: what the program makes of it.
 struct ExtremeInput {
-  std::string text;  // as it stands in the file, or is typed; the beginning where it is long
-  std::function<ExtremeError()> take;
+  std::string text;                    // as it stands in the file, or is typed; the beginning where it is long
+  std::function<ExtremeError()> take;  // throws InputError where this machine lacks what it needs
 };
 
 // A formula as a textbook writes it beside one that survives, both in float.

@@ -86,7 +86,7 @@ void add_spot_extremes(ExtremeTable& all) {
   const Words cutoff_name{"A spot's cut-off", "スポットの広がり"},
       parallel{"A directional light with a cone", "円錐を持つ平行光源"};
   const Text dark = Words{"Out of the cone: as without the light.", "円錐の外なので、光源がないのと同じ。"};
-  for (const double cutoff : {1.0, 90.0})
+  for (const double cutoff : {1e-3, 1.0, 90.0})
     for (const double exponent : {0.0, 1.0, 128.0})
       add(number_text(cutoff) + "-" + number_text(exponent), cutoff_name, "lights.0.cutoff, exponent",
           number_text(cutoff) + "°, " + number_text(exponent), as_the_reference(), spot(cutoff, exponent));

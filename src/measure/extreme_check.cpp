@@ -36,7 +36,7 @@ ExtremeError worst_pixel(const Frame& frame, const Right& right) {
       const std::optional<glm::dvec3> wanted = right(x, y);
       if (!wanted) continue;
       const double error = colour_error(glm::dvec3(frame.colour.at(x, y)), *wanted);
-      if (!(error <= worst.error)) worst = {error, at_pixel(x, y)};
+      if (is_worse(error, worst.error)) worst = {error, at_pixel(x, y)};
     }
   return worst;
 }

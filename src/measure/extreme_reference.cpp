@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "measure/extreme.h"
 #include "shading/clip_position.h"
 #include "shading/eye_normal.h"
 #include "shading/light_model.h"
@@ -74,7 +75,7 @@ double colour_error(const glm::dvec3& a, const glm::dvec3& b) {
   double largest = 0;
   for (int c = 0; c < 3; ++c) {
     const double off = std::abs(a[c] - b[c]) / std::max(1.0, std::abs(b[c]));
-    if (!(off <= largest)) largest = off;
+    if (is_worse(off, largest)) largest = off;
   }
   return largest;
 }
@@ -86,7 +87,7 @@ ReferenceError against_reference(const Scene& scene, const Frame& frame, int ste
     for (int x = 0; x < frame.colour.width(); ++x) {
       if (!frame.covered.at(x, y) || n++ % step != 0) continue;
       const double off = colour_error(glm::dvec3(frame.colour.at(x, y)), reference_colour(scene, frame, x, y));
-      if (!(off <= e.largest)) e.largest = off, e.x = x, e.y = y;
+      if (is_worse(off, e.largest)) e.largest = off, e.x = x, e.y = y;
       ++e.pixels;
     }
   return e;

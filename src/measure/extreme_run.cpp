@@ -92,7 +92,7 @@ class SceneRun {
     for (const ExtremeVariant& v : variants_of(subject_, precision)) {
       ExtremeResult result = guarded(v);
       if (result.verdict != Verdict::not_drawn) result.said = joined(of_variant(v), result.said);
-      if (is_worse(result, worst)) worst = std::move(result);
+      if (counts_more(result, worst)) worst = std::move(result);
     }
     return worst;
   }
@@ -106,7 +106,7 @@ class SceneRun {
   }
 
   // A picture that was drawn counts more than one that was not, a broken one most.
-  static bool is_worse(const ExtremeResult& a, const ExtremeResult& b) {
+  static bool counts_more(const ExtremeResult& a, const ExtremeResult& b) {
     const auto rank = [](Verdict v) {
       constexpr int ranks[] = {2, 4, 5, 3, 1, 6};
       return ranks[std::size_t(v)];
@@ -235,6 +235,9 @@ ExtremeResult run_input(const ExtremeCase& subject) {
     const ExtremeError e = subject.input->take();
     r.error = e.error, r.said = e.said;
     r.verdict = std::isnan(e.error) ? Verdict::broken : e.error > subject.tolerance ? Verdict::off : Verdict::right;
+  } catch (const InputError& e) {  // what it needs is not on this machine
+    r.verdict = Verdict::unavailable, r.error = not_a_number;
+    r.said = {e.message(Language::english), e.message(Language::japanese)};
   } catch (const std::exception& e) {
     r.verdict = Verdict::broken, r.error = not_a_number, r.said = {e.what(), e.what()};
   }
@@ -249,7 +252,7 @@ ExtremeResult run_naive(const ExtremeCase& subject) {
   bool naive_fails = false;
   for (const Naive::Row& row : subject.naive->rows()) {
     const double error = relative(row.robust, row.right);
-    if (!(error <= r.error)) r.error = error, r.said = {row.input, row.input};
+    if (is_worse(error, r.error)) r.error = error, r.said = {row.input, row.input};
     naive_fails = naive_fails || !(relative(row.naive, row.right) <= subject.tolerance);
   }
   if (std::isnan(r.error))

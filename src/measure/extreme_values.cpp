@@ -1,4 +1,6 @@
 // Values as a user gives them: options and presets out of range, JSON that other readers choke on, numbers as text.
+#include <locale.h>
+
 #include <bit>
 #include <cstdio>
 #include <limits>
@@ -141,12 +143,44 @@ void add_number_text(ExtremeTable& all) {
   }
 }
 
+// A thread whose C library writes a decimal comma, while this lives. Throws InputError where there is no such locale.
+class DecimalComma {
+ public:
+  DecimalComma() {
+    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE", "fr_FR"})
+      if (!locale_) locale_ = ::newlocale(LC_ALL_MASK, name, nullptr);
+    if (!locale_)
+      throw InputError("locale", {"none with a decimal comma is installed", "小数点がコンマのロケールがない"});
+    before_ = ::uselocale(locale_);
+  }
+  ~DecimalComma() { ::uselocale(before_), ::freelocale(locale_); }
+  DecimalComma(const DecimalComma&) = delete;
+  DecimalComma& operator=(const DecimalComma&) = delete;
+
+ private:
+  locale_t locale_ = nullptr, before_ = nullptr;
+};
+
+void add_locale(ExtremeTable& all) {
+  all.push_back(value_case("decimal-comma", {"A locale with a decimal comma", "小数点がコンマのロケール"}, "LC_NUMERIC",
+                           "de_DE",
+                           Words{"Files keep the point: 0.5 is written and read as 0.5.",
+                                 "ファイルでは点のまま。0.5 は 0.5 と書き、0.5 と読む。"},
+                           "{\"n\": 0.5}", []() -> ExtremeError {
+                             const DecimalComma comma;
+                             const std::string text = to_json(parse_json("{\"n\": 0.5}", "a.json"), 0) + " " +
+                                                      c_literal(0.5) + " " + number_text(0.5);
+                             return {text == "{\"n\":0.5} 0.5 0.5" ? 0.0 : 1.0, {text, text}};
+                           }));
+}
+
 }  // namespace
 
 void add_value_extremes(ExtremeTable& all) {
   add_options(all);
   add_presets(all);
   add_number_text(all);
+  add_locale(all);
 }
 
 }  // namespace cg

@@ -1,5 +1,5 @@
-// Extreme values: every frame is finite and, where OpenGL can say it at all, right (to 2/255 of the colour, or of 1
-// where the colour is darker), clamped and not.
+// Sizes, by each rule for the normals' length: every frame is finite and, where OpenGL can say it at all, right (to
+// 2/255 of the colour, or of 1 where the colour is darker), clamped and not.
 #include <gtest/gtest.h>
 
 #include "gl_scenes.h"
@@ -15,69 +15,6 @@ struct Extreme {
   std::function<void(Scene&)> change;
   double fixed = tolerance, glsl = tolerance;  // what the two may be off by
 };
-
-// The first light stands in a vertex of the sphere, or as near as `away` to it: there rounding decides the direction
-// to the light, so that only finiteness can be asked for.
-void light_at_a_vertex(Scene& s, double away) {
-  s.lights[0].position = glm::dvec3(0, 1 + away, 0);
-  s.lights[0].k_2 = 1;
-}
-
-std::vector<Extreme> lights_in_odd_places() {
-  std::vector<Extreme> all{
-      {"light at a vertex", [](Scene& s) { light_at_a_vertex(s, 0); }, not_compared, not_compared},
-      {"light 1e-20 from a vertex", [](Scene& s) { light_at_a_vertex(s, 1e-20); }, not_compared, not_compared},
-      {"light inside",
-       [](Scene& s) {
-         s.lights[0].position = {0, 0, 0};
-       }},
-      {"light behind",
-       [](Scene& s) {
-         s.lights[0].position = {0, 0, -5};
-       }},
-      {"light at the eye", [](Scene& s) { s.lights[0].position = s.camera.position; }},
-      {"light in the plane of the faces",
-       [](Scene& s) {
-         s.objects[0].mesh = square_mesh(), s.lights[0].position = {3, 0, 0}, s.camera.position = {0, 0, 4};
-       }},
-      {"attenuation 0, 0, 0", [](Scene& s) { s.lights[0].k_0 = 0; }},
-      {"attenuation 1e20", [](Scene& s) { s.lights[0].k_0 = s.lights[0].k_1 = s.lights[0].k_2 = 1e20; }},
-      {"quadratic and 1e20 away",
-       [](Scene& s) {
-         s.lights[0].position = {0, 0, 2e20}, s.lights[0].k_2 = 1;
-       }},
-      {"far and dark",
-       [](Scene& s) {
-         s.lights[0].k_0 = 0, s.lights[0].k_2 = 1e-36, s.lights[0].position = {0, 0, 1e18};
-       }},
-  };
-  for (const double d : {1e-30, 1e-20, 1e-10, 1e10, 1e18, 1e20, 1e30})
-    all.push_back({"light at " + std::to_string(std::log10(d)),
-                   [d](Scene& s) { s.lights[0].position = glm::dvec3(0.6, 0.3, 0.5) * d; }});
-  for (const double w : {0.0, 1e-30, 1e-6, -1.0, 1e20, 1e-20})
-    for (const LightKind kind : {LightKind::point, LightKind::spot, LightKind::directional})
-      all.push_back({"w", [w, kind](Scene& s) {
-                       s.lights[0].w = w, s.lights[0].kind = kind, s.lights[0].cutoff = 75;
-                       s.lights[0].position = {2, 3, 2}, s.lights[0].direction = {-2, -3, -2};
-                     }});
-  all.push_back({"zero position, w = 0", [](Scene& s) { s.lights[0].position = {0, 0, 0}, s.lights[0].w = 0; }});
-  return all;
-}
-
-std::vector<Extreme> cones() {
-  std::vector<Extreme> all;
-  for (const double cutoff : {0.0, 1e-3, 90.0, 180.0})
-    for (const double exponent : {0.0, 128.0})
-      for (const LightKind kind : {LightKind::spot, LightKind::directional})
-        all.push_back({"cut-off " + std::to_string(cutoff), [=](Scene& s) {
-                         s.lights[0].kind = kind, s.lights[0].cutoff = cutoff, s.lights[0].exponent = exponent;
-                         s.lights[0].position = {1, 1, 3}, s.lights[0].direction = {-1, -1.1, -3};
-                       }});
-  all.push_back({"no axis", [](Scene& s) {
-                   s.lights[0].kind = LightKind::spot, s.lights[0].direction = {0, 0, 0}, s.lights[0].cutoff = 90;
-                 }});
-  return all;
-}
 
 std::vector<Extreme> surfaces() {
   std::vector<Extreme> all;
@@ -115,32 +52,6 @@ std::vector<Extreme> surfaces() {
   return all;
 }
 
-std::vector<Extreme> colours_and_exponents() {
-  std::vector<Extreme> all{
-      {"no light", [](Scene& s) { s.lights.clear(); }},
-      {"lights switched off", [](Scene& s) { s.lights[0].enabled = false; }},
-      {"nine lights", [](Scene& s) { s.lights.resize(9, s.lights[0]); }, not_compared, tolerance},
-      {"64 lights", [](Scene& s) { s.lights.resize(64, s.lights[0]); }, not_compared, tolerance},
-      {"1e20",
-       [](Scene& s) {
-         s.lights[0].diffuse = {1e20, 1e20, 1e20};
-       }},
-      {"negative",
-       [](Scene& s) {
-         s.lights[0].diffuse = {-0.5, -0.5, 0.5};
-       }},
-      {"NaN", [](Scene& s) { s.lights[0].diffuse.g = std::nan(""); }},
-      {"infinite", [](Scene& s) { s.lights[0].specular.g = HUGE_VAL; }},
-      {"NaN place", [](Scene& s) { s.lights[0].position.g = std::nan(""); }},
-  };
-  for (const double n : {0.0, 1e-9, 128.0})
-    all.push_back({"n = " + std::to_string(n), [n](Scene& s) { s.material.n = n; }});
-  // Highlights smaller than a triangle: whether a vertex shows them is the same, and so is how far they are smeared.
-  for (const double n : {129.0, 1e3, 1e4, 1e6})
-    all.push_back({"n = " + std::to_string(n), [n](Scene& s) { s.material.n = n; }, not_compared, tolerance});
-  return all;
-}
-
 class Extremes : public testing::TestWithParam<const char*> {
  protected:
   void check(const std::vector<Extreme>& all) {
@@ -160,16 +71,13 @@ class Extremes : public testing::TestWithParam<const char*> {
         EXPECT_EQ(frame.nan_pixels, 0u) << e.name << ", mode " << int(mode);
         const double limit = fixed ? e.fixed : e.glsl;
         if (limit == not_compared) continue;
-        const Errors errors = against_reference(scene, frame);
+        const ReferenceError errors = against_reference(scene, frame);
         EXPECT_LT(errors.largest, limit) << e.name << ", mode " << int(mode) << ", " << errors.pixels << " pixels";
       }
   }
 };
 
-TEST_P(Extremes, LightsInOddPlaces) { check(lights_in_odd_places()); }
-TEST_P(Extremes, Cones) { check(cones()); }
 TEST_P(Extremes, Surfaces) { check(surfaces()); }
-TEST_P(Extremes, ColoursAndExponents) { check(colours_and_exponents()); }
 
 // A file's own normals of any length, under GL_NORMALIZE; a normal of length 0 gets no diffuse and no specular light.
 TEST_P(Extremes, LengthsOfAFilesNormals) {

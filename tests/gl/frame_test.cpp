@@ -90,7 +90,7 @@ TEST_P(Techniques, DrawTheLightModel) {
       c.change(scene);
       if (technique().unsupported(scene)) continue;
       const Frame frame = draw(technique(), scene, view_of(96, 96, true));
-      const Errors e = against_reference(scene, frame);
+      const ReferenceError e = against_reference(scene, frame);
       EXPECT_GT(e.pixels, 100) << c.name;
       EXPECT_LT(e.largest, tolerance) << c.name << ", mode " << int(mode);
       EXPECT_EQ(frame.nan_pixels, 0u) << c.name;
