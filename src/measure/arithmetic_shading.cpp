@@ -35,12 +35,13 @@ Rows thin_highlights() {
 // As graphics processors compute a power: 2^(n log2 c).
 Rows powers_of_nothing() {
   Rows rows;
-  const auto add = [&](float c, float n, double right) {
+  const auto add = [&](double cosine, float n, double right) {
+    const float c = float(cosine);
     const V H(std::sqrt(1 - c * c), 0.0f, c);
-    rows.push_back({"c = " + number_text(c) + ", n = " + number_text(n), std::exp2(n * std::log2(c)),
+    rows.push_back({"c = " + number_text(cosine) + ", n = " + number_text(n), std::exp2(n * std::log2(c)),
                     lobe_power(up, H, positive(c), n), right});
   };
-  add(0, 0, 1), add(-0.5f, 2, 0), add(-1e-25f, 3, 0), add(0.5f, 2, 0.25);
+  add(0, 0, 1), add(-0.5, 2, 0), add(-1e-25, 3, 0), add(0.5, 2, 0.25);
   return rows;
 }
 
@@ -78,7 +79,7 @@ Rows unit_lengths() {
   for (const double size : {0.0, 1e-30, 1e-25, 1.0, 1e20, 3e37}) {
     const V v(float(3 * size), 0.0f, float(4 * size));
     const V naive = v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-    rows.push_back({"|v| = " + number_text(5 * size), naive.z, unit(v).z, size == 0 ? 0 : 0.8});
+    rows.push_back({"(3, 0, 4) times " + number_text(size), naive.z, unit(v).z, size == 0 ? 0 : 0.8});
   }
   return rows;
 }
@@ -103,10 +104,11 @@ EyeLight<float> light_at(float z) {
 
 Rows attenuations() {
   Rows rows;
-  for (const float r : {1.0f, 1e10f, 1e20f, 1e30f}) {
+  for (const double distance : {1.0, 1e10, 1e20, 1e30}) {
+    const float r = float(distance);
     EyeLight<float> light = light_at(r);
     light.k_0 = 2;
-    rows.push_back({"r = " + number_text(r) + ", k_2 = 0", 1 / (light.k_0 + light.k_1 * r + light.k_2 * (r * r)),
+    rows.push_back({"r = " + number_text(distance) + ", k_2 = 0", 1 / (light.k_0 + light.k_1 * r + light.k_2 * (r * r)),
                     light_factors(light, Reflection::half_vector, 1.0f, V(0), up, up).attenuation, 0.5});
   }
   return rows;
@@ -121,7 +123,7 @@ Rows half_space_spots() {
     light.spot_cosine = float(std::cos(pi / 2));  // -4.4e-8 in float
     const V P(1.0f, 0.0f, float(-behind));
     const float c = glm::dot(unit(P), light.spot_direction);
-    rows.push_back({"cos = " + number_text(-behind), c >= std::cos(float(pi) / 2) ? 1.0 : 0.0,
+    rows.push_back({"cos = " + number_text(0 - behind), c >= std::cos(float(pi) / 2) ? 1.0 : 0.0,
                     light_factors(light, Reflection::half_vector, 1.0f, P, up, up).spot, behind < 0 ? 1.0 : 0.0});
   }
   return rows;

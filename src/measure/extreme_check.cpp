@@ -10,6 +10,7 @@ namespace cg {
 namespace {
 
 constexpr int edge_pixels = 3;  // at an outline rounding decides
+constexpr Words nothing_was_drawn = {"nothing was drawn", "何も描かれていない"};
 
 Text at_pixel(int x, int y) {
   const std::string place = std::to_string(x) + "," + std::to_string(y);
@@ -78,6 +79,7 @@ PictureCheck as_reference() {
       if (const int n = coverage_mismatch(p.frame, draw(p.reference, in_double, p.view, p.progress)); n > edge_pixels)
         return wrong_coverage(n);
     const ReferenceError e = against_reference(p.scene, p.frame);
+    if (e.pixels == 0) return {1, nothing_was_drawn};
     return {e.largest, e.x < 0 ? Text{} : at_pixel(e.x, e.y)};
   };
 }
@@ -88,10 +90,18 @@ PictureCheck colour_is(std::function<glm::dvec3(const Scene&)> closed_form) {
     if (p.scene.shading.clamp) right = saturate(right);
     int covered = 0;
     for (const std::uint8_t c : p.frame.covered.pixels()) covered += c;
-    if (covered == 0) return {1, Words{"nothing was drawn", "何も描かれていない"}};
+    if (covered == 0) return {1, nothing_was_drawn};
     return worst_pixel(p.frame, [&](int x, int y) -> std::optional<glm::dvec3> {
       return p.frame.covered.at(x, y) ? std::optional(right) : std::nullopt;
     });
+  };
+}
+
+PictureCheck nothing_covered() {
+  return [](const ExtremePicture& p) -> ExtremeError {
+    int covered = 0;
+    for (const std::uint8_t c : p.frame.covered.pixels()) covered += c;
+    return {covered == 0 ? 0.0 : 1.0, covered == 0 ? Text{} : wrong_coverage(covered).said};
   };
 }
 

@@ -11,11 +11,15 @@ using Change = std::function<void(Scene&)>;
 // channel where both cover the pixel, relative where it is over 1; 1 where more than 3 pixels at the edge differ.
 PictureCheck same_as(std::function<Scene()> start, Change change);
 
-// reference_colour() of every 7th pixel, and the coverage of the software in double.
+// reference_colour() of every 7th covered pixel, of which there must be one, and the coverage of the software in
+// double.
 PictureCheck as_reference();
 
 // Every covered pixel has the colour that `closed_form` gives for the scene before clamping, and some are covered.
 PictureCheck colour_is(std::function<glm::dvec3(const Scene&)> closed_form);
+
+// Nothing is seen.
+PictureCheck nothing_covered();
 
 // `fixed` for gl-fixed, `others` for the others.
 PictureCheck by_technique(PictureCheck fixed, PictureCheck others);

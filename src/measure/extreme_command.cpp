@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "params/numbers.h"
 #include "workbench/command_parts.h"
@@ -14,13 +14,14 @@ namespace cg {
 
 namespace {
 
-constexpr int digits = 3;  // of an error
+constexpr int error_digits = 3, value_digits = 8;
 
-std::string rounded(double v) {
-  if (!std::isfinite(v)) return number_text(v);
+std::string rounded(double v, int digits) {
+  if (std::isnan(v)) return "NaN";
+  if (!std::isfinite(v) || v == 0) return number_text(v + 0.0);  // + 0.0: no -0
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*e", digits - 1, v);
-  return v == 0 ? "0" : number_text(parse_number(text.data()).value_or(v));
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), v, std::chars_format::scientific, digits - 1);
+  return number_text(parse_number({text.data(), end.ptr}).value_or(v));
 }
 
 const Name& name_of(Verdict v) { return names_of<Verdict>[std::size_t(v)]; }
@@ -76,8 +77,9 @@ std::string naive_text(const Naive& naive, Language language) {
   const bool ja = language == Language::japanese;
   std::string out;
   for (const Naive::Row& r : naive.rows())
-    out += "    " + r.input + (ja ? "： 素朴 " : ": naive ") + rounded(r.naive) + (ja ? "、頑健 " : ", robust ") +
-           rounded(r.robust) + (ja ? "、正解 " : ", right ") + rounded(r.right) + "\n";
+    out += "    " + r.input + (ja ? "： 素朴 " : ": naive ") + rounded(r.naive, value_digits) +
+           (ja ? "、頑健 " : ", robust ") + rounded(r.robust, value_digits) + (ja ? "、正解 " : ", right ") +
+           rounded(r.right, value_digits) + "\n";
   return out + "    " + naive.naive_formula + (ja ? " → " : " -> ") + naive.robust_formula + "\n    " +
          std::string(naive.why.in(language)) + "\n";
 }
@@ -87,7 +89,7 @@ std::string result_text(const ExtremeResult& r, Language language) {
   std::string line = "    " + r.by + std::string(r.by.size() < 15 ? 15 - r.by.size() : 1, ' ') + std::string(verdict);
   const bool exact = r.verdict == Verdict::right && r.error == 0;
   if (r.verdict != Verdict::not_drawn && r.verdict != Verdict::unavailable && !exact && !std::isnan(r.error))
-    line += " " + rounded(r.error);
+    line += " " + rounded(r.error, error_digits);
   if (!r.said.en.empty() && (r.verdict != Verdict::right || !exact || r.by == "reader"))
     line += (language == Language::japanese ? "：" : ": ") + r.said.in(language);
   return line + "\n";

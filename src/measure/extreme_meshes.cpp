@@ -116,6 +116,8 @@ void add_mirrors(ExtremeTable& all) {
   add("mirrored", {"A mirror, scaled unevenly", "不均等な鏡像"}, "-1, 1.5, 0.5", scale({-1, 1.5, 0.5}), sphere_scene);
   add("mirrored-twice", {"Mirrored twice", "二回の鏡像"}, "-1, -1, 1", scale({-1, -1, 1}), sphere_scene);
   add("nothing", {"Scaled to nothing", "大きさ 0"}, "0, 0, 0", scale({0, 0, 0}), sphere_scene);
+  all.back().right = Words{"Nothing is left to see.", "何も見えない。"};
+  all.back().scene->check = nothing_covered();
   for (const double x : {1.0, -1.0})
     add(
         x > 0 ? "two-sides" : "mirrored-two-sides", {"Both sides lit, seen from behind", "両面を照らし、裏から見る"},

@@ -52,13 +52,6 @@ ExtremeError all_covered(const ExtremePicture& p) {
           {n + " pixels show the background", n + " 画素に背景が見える"}};
 }
 
-ExtremeError nothing_drawn(const ExtremePicture& p) {
-  std::size_t covered = 0;
-  for (const std::uint8_t c : p.frame.covered.pixels()) covered += c;
-  const std::string n = std::to_string(covered);
-  return {covered == 0 ? 0.0 : 1.0, {n + " pixels are covered", n + " 画素が覆われている"}};
-}
-
 void add_degenerate_cameras(ExtremeTable& all) {
   const auto at_3 = [](Scene& s) { s.camera.position = {0, 0, 3}; };
   all.push_back(picture_case(row_of(
@@ -81,18 +74,26 @@ void add_degenerate_cameras(ExtremeTable& all) {
 }
 
 void add_planes(ExtremeTable& all) {
-  for (const double near_plane : {1e-20, 1e-4, 2.8}) {
+  for (const double near_plane : {1e-4, 2.8}) {
     const std::string value = number_text(near_plane);
     all.push_back(
         picture_case(row_of("camera-near-" + value, "cameras", {"The near plane", "前方クリップ面"}, "camera.near",
                             value, as_the_reference(), [near_plane](Scene& s) { s.camera.near_plane = near_plane; })));
   }
+  // 1 - 2 near/z is 1 in float.
+  PictureRow nearest = row_of(
+      "camera-near-1e-20", "cameras", {"A near plane at the eye", "視点にある前方クリップ面"}, "camera.near", "1e-20",
+      Words{"Every depth rounds to 1, the far plane's: nothing passes the depth test, as in OpenGL.",
+            "奥行きがすべて 1（後方クリップ面）に丸められ、OpenGL と同じく何も描かれない。"},
+      [](Scene& s) { s.camera.near_plane = 1e-20; });
+  nearest.check = nothing_covered();
+  all.push_back(picture_case(std::move(nearest)));
   for (const double near_plane : {100.0, 1e20}) {
     PictureRow row = row_of("camera-near-" + number_text(near_plane), "cameras",
                             {"A near plane beyond all things", "すべてより遠い前方クリップ面"}, "camera.near",
                             number_text(near_plane), Words{"Nothing is left to see.", "何も見えない。"},
                             [near_plane](Scene& s) { s.camera.near_plane = near_plane; });
-    row.check = nothing_drawn;
+    row.check = nothing_covered();
     all.push_back(picture_case(std::move(row)));
   }
   all.push_back(picture_case(row_of("camera-far-before-near", "cameras",
@@ -101,7 +102,7 @@ void add_planes(ExtremeTable& all) {
                                     Words{"A thin slice behind the near plane is left, and the matrix stays finite.",
                                           "前方クリップ面のすぐ後ろだけが残り、行列は有限のまま。"},
                                     [](Scene& s) { s.camera.near_plane = 100, s.camera.far_plane = 0.1; })));
-  all.back().scene->check = nothing_drawn;
+  all.back().scene->check = nothing_covered();
 }
 
 }  // namespace
@@ -143,15 +144,18 @@ void add_camera_extremes(ExtremeTable& all) {
   add_degenerate_cameras(all);
   add_planes(all);
   for (const double fov : {1.0, 170.0})
-    all.push_back(
-        picture_case(row_of("camera-fov-" + number_text(fov), "cameras", {"The field of view", "画角"}, "camera.fov",
-                            number_text(fov) + "°", as_the_reference(), [fov](Scene& s) { s.camera.fov = fov; })));
+    all.push_back(picture_case(row_of("camera-fov-" + number_text(fov), "cameras", {"The field of view", "画角"},
+                                      "camera.fov", number_text(fov) + "°", as_the_reference(), [fov](Scene& s) {
+                                        s.camera.fov = fov, s.camera.position = {0, 0, 1.2};
+                                      })));
   for (const double height : {1e-20, 1e20})
     all.push_back(picture_case(row_of("camera-height-" + number_text(height), "cameras",
                                       {"The height of an orthographic view", "平行投影の視野の高さ"}, "camera.height",
                                       number_text(height), as_the_reference(), [height](Scene& s) {
                                         s.camera.projection = Projection::orthographic, s.camera.height = height;
                                       })));
+  all.back().right = Words{"All is smaller than a pixel: nothing is seen.", "すべてが画素より小さく、何も見えない。"};
+  all.back().scene->check = nothing_covered();
 }
 
 void add_picture_extremes(ExtremeTable& all) {
@@ -161,7 +165,9 @@ void add_picture_extremes(ExtremeTable& all) {
         row_of("picture-" + size, "pictures", {"The picture's size", "画像の大きさ"}, "--size", size,
                w * h == 0 ? Text(Words{"An empty picture, and no error.", "空の画像。エラーにはならない。"})
                           : as_the_reference(),
-               {});
+               [](Scene& s) {
+                 s.camera.position = {0, 0, 0.1}, s.shading.two_sided = true;
+               });
     row.variants = {{ShadingMode::gouraud}};
     if (w * h == 0)
       row.check = [w = w, h = h](const ExtremePicture& p) -> ExtremeError {

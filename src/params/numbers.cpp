@@ -8,6 +8,7 @@
 namespace cg {
 
 std::string number_text(double v) {
+  if (std::isnan(v)) return "nan";  // whatever its sign
   std::array<char, 32> text{};
   // to_chars alone takes the fewest characters: 1e+05. People read 100000.
   const bool fixed = v == 0 || (std::abs(v) >= 1e-5 && std::abs(v) < 1e15);

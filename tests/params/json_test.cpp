@@ -115,6 +115,8 @@ TEST(Json, NumbersKeepTheirBits) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(*parse_number(number_text(v))), std::bit_cast<std::uint64_t>(v)) << v;
   }
   EXPECT_EQ(to_json(Tree(std::nan("")), 0), "null");
+  EXPECT_EQ(number_text(std::nan("")), "nan");
+  EXPECT_EQ(number_text(-std::nan("")), "nan");
 }
 
 TEST(Json, WritesWhatAPersonCanRead) {
