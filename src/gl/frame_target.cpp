@@ -34,6 +34,7 @@ void refuse_beyond_limits(int width, int height) {
 }  // namespace
 
 Frame empty_frame(const Scene& scene, const View& view, PassRecorder& record) {
+  if (view.width > 0 && view.height > 0) refuse_beyond_limits(view.width, view.height);  // before its memory is taken
   const int w = std::max(view.width, 0), h = std::max(view.height, 0);
   Frame frame;
   frame.colour = ColourImage(w, h, glm::vec3(scene.display.background));
