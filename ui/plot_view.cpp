@@ -132,7 +132,9 @@ void lay_out_again(App& app, PlotView& view, std::shared_ptr<const Plot> plot, I
   const auto width = [font](const std::string& text, float letters) {
     return text_width(font, text, letters / font->FontSize);
   };
-  view.layout = lay_out(*plot, size.x, size.y, 1.07f * font->FontSize, app.language(), width);
+  const float letters = 1.07f * font->FontSize;
+  view.head = plot->title.en.empty() ? 1.7f * letters : 0;
+  view.layout = lay_out(*plot, size.x, size.y + view.head, letters, app.language(), width);
   view.plot = std::move(plot), view.size = size, view.language = app.language(), view.font = font;
 }
 
@@ -141,9 +143,10 @@ void lay_out_again(App& app, PlotView& view, std::shared_ptr<const Plot> plot, I
 PlotMouse draw_plot(App& app, PlotView& view, const char* id, std::shared_ptr<const Plot> plot, ImVec2 size,
                     int chosen) {
   size = {std::max(size.x, app.look.px(120)), std::max(size.y, app.look.px(100))};
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  ImVec2 origin = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton(id, size);
   lay_out_again(app, view, std::move(plot), size);
+  origin.y -= view.head;
   PlotMouse mouse;
   if (ImGui::IsItemHovered()) {
     const ImVec2 at = ImGui::GetIO().MousePos;

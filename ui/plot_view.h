@@ -16,7 +16,8 @@ struct PlotView {
   ImVec2 size{0, 0};
   Language language = Language::english;
   ImFont* font = nullptr;
-  PlotLayout layout;
+  PlotLayout layout;  // higher than `size` by `head` pixels, which are cut off
+  float head = 0;     // the line of the title, where there is none
 };
 
 struct PlotMouse {

@@ -19,6 +19,23 @@ namespace {
 
 void small_gap(const App& app) { ImGui::Dummy({1, app.look.px(4)}); }
 
+// "h^1.98" as typeset() takes it: "h^{1.98}".
+std::string grouped(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    out += text[i];
+    if (text[i] != '^') continue;
+    const auto digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
+    std::size_t end = i + 1;
+    if (end < text.size() && text[end] == '-') ++end;
+    while (digit(end) || (end < text.size() && text[end] == '.' && digit(end + 1))) ++end;
+    if (end == i + 1) continue;
+    out += "{" + std::string(text.substr(i + 1, end - i - 1)) + "}";
+    i = end - 1;
+  }
+  return out;
+}
+
 const Knob* chosen_knob(const App& app) {
   const std::span<const Knob> all = knobs();
   for (const Knob& knob : all)
@@ -49,7 +66,7 @@ void draw_laws(App& app, const Knob& knob) {
     float x = at.x + set_text(draw, look.fonts.small, {at.x, baseline}, look.palette.dim, noted(app, title));
     const float small = look.fonts.small->FontSize / look.fonts.text->FontSize;
     const TypeSize type{look.fonts.math, look.fonts.math_sub, small, small};
-    x += typeset(draw, type, {x, baseline}, look.palette.text, noted(app, p.law));
+    x += typeset(draw, type, {x, baseline}, look.palette.text, noted(app, grouped(p.law)));
     if (knob.series.size() > 1 && p.series < knob.series.size()) {
       const std::string_view name = noted(app, knob.series[p.series].name);
       const float w = std::min(text_width(look.fonts.small, name), right - x - look.px(8));
@@ -140,13 +157,8 @@ void choose_plot(App& app, const Knob& knob, bool& against_time) {
   const Text over_knob("Error over " + letter, letter + " と誤差");
   ImGui::PushID("plots");
   if (tab(app, "time", over_time.in(app.language()), against_time)) against_time = true;
-  if (wants_tooltip(app))
-    tooltip(app, {}, Words{"With the Pareto front", "パレート境界とともに"}.in(app.language()), {});
   ImGui::SameLine(0, app.look.px(3));
   if (tab(app, "slope", over_knob.in(app.language()), !against_time)) against_time = false;
-  if (wants_tooltip(app))
-    tooltip(app, {}, Words{"The measured slope beside the predicted one", "測った傾きと理論の傾き"}.in(app.language()),
-            {});
   ImGui::PopID();
 }
 
@@ -156,8 +168,9 @@ void draw_verdicts(App& app, const Trade& trade) {
   for (const PredictionCheck& check : trade.checks) {
     const Prediction& p = knob.predictions[check.prediction];
     small_gap(app);
-    small_text(app, check.verdict.in(l), app.look.palette.text);
-    small_text(app, p.why.in(l), app.look.palette.dim);
+    if (knob.series.size() > 1 && p.series < knob.series.size()) heading(app, knob.series[p.series].name.in(l));
+    small_text(app, grouped(check.verdict.in(l)), app.look.palette.text);
+    small_text(app, grouped(p.why.in(l)), app.look.palette.dim);
     small_text(app, p.source, app.look.palette.dim);
   }
   for (const Text& note : trade.notes) small_text(app, note.in(l), app.look.palette.text);
@@ -178,7 +191,7 @@ void draw_measured(App& app, TradeDesk& desk, const Knob& knob, const std::share
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const auto found = desk.chosen.find(std::string(knob.id));
   const int chosen = found == desk.chosen.end() ? -1 : int(found->second);
-  const float height = std::clamp(room.x, app.look.px(240), app.look.px(460));
+  const float height = std::clamp(1.12f * room.x, app.look.px(240), app.look.px(480));
   PlotView& view = desk.against_time ? desk.speed_view : desk.convergence_view;
   const auto& plot = desk.against_time ? measured->speed : measured->convergence;
   const PlotMouse mouse = draw_plot(app, view, "plot", plot, {room.x, height}, chosen);
@@ -223,7 +236,7 @@ void draw_trade_panel(App& app) {
   small_gap(app);
   if (measured) return draw_measured(app, desk, *knob, measured);
   for (const Prediction& p : knob->predictions) {
-    small_text(app, p.why.in(l), app.look.palette.dim);
+    small_text(app, grouped(p.why.in(l)), app.look.palette.dim);
     small_text(app, p.source, app.look.palette.dim);
     small_gap(app);
   }

@@ -107,7 +107,7 @@ TEST_F(TradePanel, EachPointIsUnderTheMouseWhereItIsPainted) {
   int seen = 0;
   for (const PlotMark& mark : std::vector<PlotMark>(view.layout.marks)) {
     if (mark.point < 0 || mark.kind == PlotMark::Kind::line || mark.kind == PlotMark::Kind::text) continue;
-    ImGui::GetIO().MousePos = {origin.x + mark.places[0].x, origin.y + mark.places[0].y};
+    ImGui::GetIO().MousePos = {origin.x + mark.places[0].x, origin.y + mark.places[0].y - view.head};
     frame(draw), frame(draw);
     EXPECT_EQ(mouse.hovered, mark.point);
     ImGui::GetIO().MouseDown[0] = true;
