@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ui/app.h"
-#include "ui/formula_colours.h"
 #include "ui/line_breaks.h"
+#include "workbench/formula_colours.h"
 
 namespace cg {
 namespace {

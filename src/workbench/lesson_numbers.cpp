@@ -117,7 +117,8 @@ class Numbers {
   std::vector<State> state_;
 };
 
-// As a person writes it: 0.0417, 12.5, 100, 1.2×10⁻⁷.
+}  // namespace
+
 std::string in_digits(double v, int digits, int decimals) {
   if (!std::isfinite(v)) return number_text(v);
   if (decimals >= 0) v = std::round(v * std::pow(10.0, decimals)) / std::pow(10.0, decimals);
@@ -133,8 +134,6 @@ std::string in_digits(double v, int digits, int decimals) {
     exponent += raised[std::size_t(text[i] - '0')];
   return text.substr(0, e) + "×10" + exponent;
 }
-
-}  // namespace
 
 std::vector<NumberResult> compute_numbers(const LessonStep& step, const Tree& preset, const fs::path& folder,
                                           std::span<const Technique> techniques, Progress& progress) {

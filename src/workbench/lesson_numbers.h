@@ -29,6 +29,10 @@ std::vector<NumberResult> compute_numbers(const LessonStep& step, const Tree& pr
                                           const std::filesystem::path& folder, std::span<const Technique> techniques,
                                           Progress& progress);
 
+// As a person writes it: 0.0417, 12.5, 100, 1.2×10⁻⁷. `digits`: significant; `decimals`: at most so many behind the
+// point, -1: any.
+std::string in_digits(double v, int digits, int decimals = -1);
+
 // The text of {{name}} in a step's text: a number of `results` in its digits, or the parameter at a path of the scene,
 // as "material.n" or "lights.0.position.x". Nothing while a number is not there.
 std::optional<std::string> text_of_number(std::string_view name, const std::vector<NumberResult>& results,

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/formula_colours.h"
+#include "workbench/formula_colours.h"
 
 namespace cg {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/formula_colours.h"
+#include "workbench/formula_colours.h"
 
 #include <algorithm>
 #include <array>
