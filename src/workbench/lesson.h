@@ -36,6 +36,7 @@ struct LessonView {
   LightTerm term = LightTerm::all;  // drawn alone,
   int light = -1;                   // of that light (all_lights, no_light as in workbench/isolate.h)
   bool handles = true, vertex_normals = false, face_normals = false, wireframe = false, axes = false, clamped = false;
+  std::string knob, extreme;  // what the panels of trades and extremes have open; empty: as they are
   friend bool operator==(const LessonView&, const LessonView&) = default;
 };
 
@@ -52,6 +53,8 @@ inline constexpr auto fields_of<LessonView> = std::tuple{
     field(&LessonView::wireframe, {.name = "wireframe", .label = {"Wireframe", "ワイヤーフレーム"}}),
     field(&LessonView::axes, {.name = "axes", .label = {"Axes", "座標軸"}}),
     field(&LessonView::clamped, {.name = "clamped", .label = {"Clamped pixels", "クランプ画素"}}),
+    field(&LessonView::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
+    field(&LessonView::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),
 };
 
 // A number of a step, which the program computes.

@@ -222,6 +222,28 @@ double light_turn(const MeasureInput& in) {
   return degrees(std::atan2(glm::length(glm::cross(drawn_at, meant)), glm::dot(drawn_at, meant)));
 }
 
+// What a plan says of the technique that would draw the picture: nothing is drawn.
+template <class Count>
+double over_plan(const MeasureInput& in, Count&& count) {
+  const Scene scene = as_asked(in.scene, in.options);
+  const Technique& technique = find_technique(in.techniques, in.options.technique);
+  require(technique, scene);
+  View view;
+  view.width = view.height = in.options.size;
+  double sum = 0;
+  for (const Pass& pass : technique.plan(scene, view).passes) sum += count(pass);
+  return sum;
+}
+double passes(const MeasureInput& in) {
+  return over_plan(in, [](const Pass& p) { return p.kind == PassKind::pass && p.needed ? 1 : 0; });
+}
+double passes_left_out(const MeasureInput& in) {
+  return over_plan(in, [](const Pass& p) { return p.kind == PassKind::pass && !p.needed ? 1 : 0; });
+}
+double plan_bytes(const MeasureInput& in) {
+  return over_plan(in, [](const Pass& p) { return double(p.bytes); });
+}
+
 constexpr std::array table{
     Measurement{"colour",
                 {"Colour of a pixel", "画素の色"},
@@ -283,6 +305,21 @@ constexpr std::array table{
                 "deg",
                 {"light; orbit; technique, other", "light、orbit、technique、other"},
                 light_turn},
+    Measurement{"passes",
+                {"Passes that the plan runs", "計画が行う処理の数"},
+                "1",
+                {"size; technique", "size、technique"},
+                passes},
+    Measurement{"passes-left-out",
+                {"Passes that the plan leaves out", "計画が省く処理の数"},
+                "1",
+                {"size; technique", "size、technique"},
+                passes_left_out},
+    Measurement{"plan-bytes",
+                {"Memory that the plan names", "計画に挙がるメモリ"},
+                "B",
+                {"size; technique", "size、technique"},
+                plan_bytes},
 };
 
 }  // namespace
