@@ -47,7 +47,9 @@ class Threaded {
   std::string device() {
     std::string name;
     ask([&] {
-      if (const GLubyte* renderer = glGetString(GL_RENDERER)) name = reinterpret_cast<const char*>(renderer);
+      for (const GLenum part : {GL_RENDERER, GL_VERSION})
+        if (const GLubyte* said = glGetString(part))
+          (name += name.empty() ? "" : ", ") += reinterpret_cast<const char*>(said);
     });
     return name;
   }

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "measure/extreme_command.h"
+#include "measure/lessons_command.h"
 #include "measure/plot.h"
 #include "params/file.h"
 #include "workbench/command_parts.h"
@@ -127,7 +128,7 @@ std::vector<CommandOffer> measure_commands() {
             .help = {"One JSON object on stdout", "JSON で出力する"},
             .flag = &Arguments::json}},
       .draws = true};
-  return {std::move(trade), extremes_command()};
+  return {std::move(trade), extremes_command(), lessons_command()};
 }
 
 }  // namespace cg

@@ -19,7 +19,7 @@ struct Technique {
   // Why it cannot draw this scene (the fixed function has no Phong shading), if so.
   std::function<std::optional<Text>(const Scene&)> unsupported;
   std::function<Plan(const Scene&, const View&)> plan;
-  // What it draws on, as its driver calls it; "" where that is not known. Null: the processor. May make the context.
+  // Renderer and version, as its driver calls them; "" where not known. Null: the processor. May make the context.
   std::function<std::string()> device;
   // The largest View::samples that it offers, at least 1. Null: it has no multisampling. May make the context.
   std::function<int()> most_samples;

@@ -3,7 +3,6 @@
 #include "workbench/export_command.h"
 #include "workbench/grade_command.h"
 #include "workbench/import_command.h"
-#include "workbench/lesson_check.h"
 
 namespace cg {
 
@@ -16,7 +15,6 @@ void CommandParser::add_all() {
   add_export();
   add_import();
   add_grade();
-  add_lessons();
 }
 
 void CommandParser::add_window() {
@@ -115,17 +113,6 @@ void CommandParser::add_grade() {
   add(app, "--target", arguments.target, "SCENE", {"The scene to be matched", "目標のシーン"});
   add(app, "--pass", arguments.pass, "SCORE",
       {"Exit with 1 where the score is below this, 0 to 100", "点数がこれより低ければ終了状態を 1 にする（0〜100）"});
-  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
-}
-
-void CommandParser::add_lessons() {
-  CLI::App& app =
-      add_bare_command("lessons", "LESSON", {"List the lessons, or check them", "レッスンの一覧と検査"}, run_lessons);
-  add_flag(app, "--check", arguments.check,
-           {"Compute every number and task; exit with 1 where one is off",
-            "数と課題をすべて計算し、合わなければ終了状態を 1 にする"});
-  add(app, "--report", arguments.report, "DIR",
-      {"Write the texts with all numbers filled in", "数をすべて埋めた本文を書き出す"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 

@@ -48,7 +48,6 @@ class CommandParser {
   void add_export();
   void add_import();
   void add_grade();
-  void add_lessons();
   void add_other(const CommandOffer& offer);
   // Options of several commands.
   void add_threads(CLI::App& app);

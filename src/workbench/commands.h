@@ -20,7 +20,7 @@ struct Arguments {
   std::string target, pass;  // of a grade
   bool json = false;
   std::string report;  // a folder
-  bool check = false;
+  bool check = false, quick = false;
   std::string knob, repeats;  // of a trade
   std::string extreme;        // a case, or a group of them
   bool list = false;

@@ -36,8 +36,9 @@ class Check {
   }
 
  private:
-  LessonFinding& add(const std::string& name, bool holds) {
+  LessonFinding& add(LessonFinding::Kind kind, const std::string& name, bool holds) {
     LessonFinding finding;
+    finding.kind = kind;
     finding.lesson = lesson_.id;
     finding.step = step_->id;
     finding.name = name;
@@ -45,7 +46,7 @@ class Check {
     return out_.emplace_back(std::move(finding));
   }
   void wrong(const std::string& name, const InputError& e) {
-    add(name, false).note = {e.message(Language::english), e.message(Language::japanese)};
+    add(LessonFinding::problem, name, false).note = {e.message(Language::english), e.message(Language::japanese)};
   }
 
   // The techniques that the step shows can draw it, or, as where two cannot be shown side by side, one of them can.
@@ -106,7 +107,7 @@ class Check {
     const auto results = compute_numbers(*step_, step_->preset, lesson_.folder, techniques_, progress_);
     for (std::size_t i = 0; i < results.size(); ++i) {
       const NumberResult& r = results[i];
-      LessonFinding& finding = add(r.name, r.holds());
+      LessonFinding& finding = add(LessonFinding::number, r.name, r.holds());
       finding.value = r.value, finding.expected = r.expected, finding.tolerance = r.tolerance;
       finding.note = r.problem ? *r.problem : step_->numbers[i].source;
     }
@@ -120,7 +121,7 @@ class Check {
       const TaskResult before = result(start);
       const Scene solved = scene_of(merge_patch(step_->preset, task.solution), task.id, lesson_.folder);
       const TaskResult after = result(solved);
-      LessonFinding& finding = add(task.id, !before.done && after.done);
+      LessonFinding& finding = add(LessonFinding::task, task.id, !before.done && after.done);
       finding.value = after.value, finding.expected = after.goal, finding.tolerance = after.tolerance;
       finding.note = before.done ? Text{"the task is done at the start", "初めから達成されている"}
                                  : Text{"the task's solution", "課題の解答例"};

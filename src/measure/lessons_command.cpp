@@ -1,12 +1,13 @@
-// The command `lessons`.
+#include "measure/lessons_command.h"
+
 #include <filesystem>
 
+#include "measure/lesson_report.h"
 #include "params/input_error.h"
 #include "params/numbers.h"
 #include "workbench/command_parts.h"
 #include "workbench/data_folder.h"
 #include "workbench/lesson_check.h"
-#include "workbench/lesson_report.h"
 #include "workbench/progress_line.h"
 
 namespace cg {
@@ -71,38 +72,75 @@ int list(const std::vector<fs::path>& folders, Language language) {
   return 0;
 }
 
-void write_reports(const std::vector<fs::path>& folders, const fs::path& into, std::span<const Technique> techniques) {
-  for (const fs::path& folder : folders) {
-    Progress progress;
-    write_lesson_report(folder, into, techniques, progress);
+std::vector<LessonFinding> checked(const fs::path& folder, std::span<const Technique> techniques) {
+  Progress progress;
+  const ProgressLine line(progress, folder.filename().string());
+  return check_lesson(folder, techniques, progress);
+}
+
+// A line for each finding, and their sum.
+void tell(const std::vector<LessonFinding>& all, bool each, Language language) {
+  std::size_t off = 0, expected = 0;
+  for (const LessonFinding& f : all) {
+    off += !f.holds, expected += f.expected.has_value();
+    if (each || !f.holds) print(line_of(f, language));
   }
+  const std::string n = std::to_string(all.size()), compared = std::to_string(expected), wrong = std::to_string(off);
+  const Text sum{n + " computed, " + compared + " compared with what is expected, " + wrong + " off",
+                 n + " 件を計算、うち " + compared + " 件を期待値と比較、不一致 " + wrong + " 件"};
+  print(sum.in(language) + "\n");
 }
 
 }  // namespace
 
 int run_lessons(const Arguments& a, std::span<const Technique> techniques, Language language) {
   const std::vector<fs::path> folders = named_folders(a.scene);
-  if (!a.report.empty()) write_reports(folders, a.report, techniques);
-  if (!a.check) return a.report.empty() ? list(folders, language) : 0;
+  if (!a.check && a.report.empty()) return list(folders, language);
+  std::vector<std::vector<LessonFinding>> findings;
   std::vector<LessonFinding> all;
   for (const fs::path& folder : folders) {
-    Progress progress;
-    const ProgressLine line(progress, folder.filename().string());
-    const std::vector<LessonFinding> findings = check_lesson(folder, techniques, progress);
-    all.insert(all.end(), findings.begin(), findings.end());
+    findings.push_back(checked(folder, techniques));
+    all.insert(all.end(), findings.back().begin(), findings.back().end());
   }
-  std::size_t off = 0, expected = 0;
-  for (const LessonFinding& f : all) off += !f.holds, expected += f.expected.has_value();
-  if (a.json) {
+  bool holds = true;
+  for (const LessonFinding& f : all) holds = holds && f.holds;
+  if (a.json)
     print(to_json(json_of(all)) + "\n");
-  } else {
-    for (const LessonFinding& f : all) print(line_of(f, language));
-    const std::string n = std::to_string(all.size()), compared = std::to_string(expected), wrong = std::to_string(off);
-    const Text sum{n + " computed, " + compared + " compared with what is expected, " + wrong + " off",
-                   n + " 件を計算、うち " + compared + " 件を期待値と比較、不一致 " + wrong + " 件"};
-    print(sum.in(language) + "\n");
+  else
+    tell(all, a.check, language);
+  if (!a.report.empty()) {
+    const WrittenReport written =
+        write_lesson_report(folders, std::move(findings), a.report, techniques, a.quick, language);
+    holds = written.holds;
+    if (!a.json) print(written.page.string() + "\n");
   }
-  return off == 0 ? 0 : 1;
+  return holds ? 0 : 1;
+}
+
+CommandOffer lessons_command() {
+  return {
+      .name = "lessons",
+      .help = {"List the lessons, check them, or write a report of them", "レッスンの一覧、検査、報告の作成"},
+      .run = run_lessons,
+      .words = {{"LESSON", &Arguments::scene}},
+      .options = {{"--check",
+                   nullptr,
+                   {"Compute every number and task; exit with 1 where one is off",
+                    "数と課題をすべて計算し、合わなければ終了状態を 1 にする"},
+                   nullptr,
+                   &Arguments::check},
+                  {"--report",
+                   "DIR",
+                   {"Check, and write a page for a browser: pictures, numbers, times, trades, extremes",
+                    "検査し、画像・数・時間・引き換え・極端な値をブラウザ用のページに書く"},
+                   &Arguments::report},
+                  {"--quick",
+                   nullptr,
+                   {"A report without trades and extremes: seconds instead of minutes",
+                    "引き換えと極端な値を省いた報告。数分が数秒になる"},
+                   nullptr,
+                   &Arguments::quick},
+                  {"--json", nullptr, {"One JSON object on stdout", "JSON で出力する"}, nullptr, &Arguments::json}}};
 }
 
 }  // namespace cg
