@@ -224,6 +224,8 @@ void LessonPlayer::apply(App& app, const Scene& scene, const LessonView& view) {
   s.left = view.left, s.right = view.right, s.view = view.view;
   s.handles = view.handles, s.axes = view.axes, s.wireframe = view.wireframe, s.clamped = view.clamped;
   s.vertex_normals = view.vertex_normals, s.face_normals = view.face_normals;
+  if (!view.knob.empty()) s.knob = view.knob;
+  if (!view.extreme.empty()) s.extreme = view.extreme;
   choose_techniques(app);
   app.isolated = {quantity_of(view.term), view.light};
   app.peek.reset();
