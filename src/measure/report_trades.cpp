@@ -31,7 +31,7 @@ Html with_exponents(std::string_view s) {
     if (at == s.npos) break;
     s.remove_prefix(at + 1);
     const bool bracket = s.starts_with('(');
-    std::size_t size = bracket ? s.find(')') : std::min(s.find_first_not_of("0123456789.-/n"), s.size());
+    std::size_t size = bracket ? s.find(')') : std::min(s.find_first_not_of("0123456789.-n"), s.size());
     if (bracket && size == s.npos) size = s.size();
     std::string_view exponent = s.substr(bracket ? 1 : 0, bracket ? size - 1 : size);
     if (!bracket && exponent.ends_with('.')) exponent.remove_suffix(1), --size;  // a sentence's full stop
