@@ -84,6 +84,15 @@ Frame gl_fixed(const Scene& scene, bool like_a_window) {
   return frame;
 }
 
+// Where a step of the window's 24 bits of depth is more than a ten-thousandth of the distance, surfaces fight for their
+// pixels in it, and otherwise in floats: near the eye's distance d a step is d^2 / (near 2^24) (Akeley and Su, Minimum
+// Triangle Separation for Correct z-Buffer Occlusion, 2006).
+bool depths_run_out(const Scene& scene) {
+  const Camera& c = scene.camera;
+  const double d = glm::distance(c.position, c.target);
+  return c.projection == Projection::perspective && d / (c.near_plane * 0x1p24) > 1e-4;
+}
+
 class GlutProgramTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -147,7 +156,7 @@ class GlutProgramTest : public testing::Test {
     // the bottom one: what is interpolated is rounded otherwise there, by up to 0.0002, and so are halves of 1/255; an
     // edge that goes through a pixel's centre can fall to its other side.
     EXPECT_EQ(same.pixels, 0) << same.largest << "/255";
-    EXPECT_LE(floats.over_1, 5) << floats.largest << "/255";
+    if (!depths_run_out(scene)) EXPECT_LE(floats.over_1, 5) << floats.largest << "/255";
     std::printf("%-40s %d pixels differ from gl-fixed in a window's framebuffer, %d (by %d/255) in its own\n",
                 label.c_str(), same.pixels, floats.pixels, floats.largest);
   }

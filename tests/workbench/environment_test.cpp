@@ -8,10 +8,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Environment : public testing::Test {
+class HomeFolder : public testing::Test {
  protected:
-  Environment() { ::setenv("HOME", "/home/学生 A", 1); }
-  ~Environment() override {
+  HomeFolder() { ::setenv("HOME", "/home/学生 A", 1); }
+  ~HomeFolder() override {
     if (home_) ::setenv("HOME", home_->c_str(), 1);
   }
 
@@ -19,14 +19,14 @@ class Environment : public testing::Test {
   std::optional<std::string> home_ = ::getenv("HOME") ? std::optional<std::string>(::getenv("HOME")) : std::nullopt;
 };
 
-TEST_F(Environment, ATypedFileMayBeginAtHome) {
+TEST_F(HomeFolder, ATypedFileMayBeginAtHome) {
   EXPECT_EQ(typed_path("~/scene.c"), fs::path("/home/学生 A/scene.c"));
   EXPECT_EQ(typed_path("~scene.c"), fs::path("~scene.c"));
   EXPECT_EQ(typed_path("a/~/b"), fs::path("a/~/b"));
   EXPECT_EQ(typed_path(""), fs::path());
 }
 
-TEST_F(Environment, AFileIsShownAsAPersonFindsIt) {
+TEST_F(HomeFolder, AFileIsShownAsAPersonFindsIt) {
   EXPECT_EQ(shown_path("/home/学生 A/x/../scene.c"), "~/scene.c");
   EXPECT_EQ(shown_path("/home/学生 Ab/scene.c"), "/home/学生 Ab/scene.c");
   EXPECT_EQ(shown_path("scene.c"), (fs::current_path() / "scene.c").string());
