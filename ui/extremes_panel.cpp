@@ -99,7 +99,7 @@ void draw_rows(App& app, const std::vector<Naive::Row>& rows) {
     ImGui::PopStyleColor();
     ImGui::PopFont();
     line(look.fonts.small_mono,
-         {number_text(row.naive, 0, 11), number_text(row.robust, 0, 11), number_text(row.right, 0, 11)},
+         {number_text(row.naive, 0, 9), number_text(row.robust, 0, 9), number_text(row.right, 0, 9)},
          {differs(row.naive, row.right) ? p.error : p.text, differs(row.robust, row.right) ? p.error : p.text, p.text});
   }
 }
