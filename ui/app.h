@@ -116,7 +116,6 @@ struct App {
   // Filled by the panes.
   Figures figures;
   DrawingHandle drawings[2];  // the newest of the left and the right technique; null before the first
-  std::vector<Plan> plans;    // of the left and the right technique for the scene as it is drawn
   std::vector<Toast> toasts;
 
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.

@@ -49,7 +49,7 @@ PaneJobs::Runner& PaneJobs::runner(int technique) {
 }
 
 void PaneJobs::time(Runner& runner, const DrawingHandle& drawing, PaneState& pane) {
-  if (drawing && drawing->coarseness == 1 && drawing->serial != runner.timed) {
+  if (drawing && drawing->coarseness == 1 && !drawing->partly && drawing->serial != runner.timed) {
     runner.timed = drawing->serial;
     runner.times.push_back(drawing->wall_ms);
     if (runner.times.size() > times_kept) runner.times.pop_front();
@@ -80,7 +80,6 @@ void PaneJobs::update(const Request& wanted, int left, int right, bool together)
     Job::State state = r.job->poll();
     pane.drawing = std::move(state.drawing);
     pane.message = std::move(state.message);
-    pane.plan = std::move(state.plan);
     pane.busy = state.busy, pane.fraction = state.fraction;
     time(r, pane.drawing, pane);
   }

@@ -17,7 +17,6 @@ struct PaneState {
   int technique = -1;
   DrawingHandle drawing;  // the newest of this technique; null before the first
   std::optional<Text> message;
-  std::shared_ptr<const Plan> plan;
   bool busy = false;
   float fraction = 1;
   double ms = 0;  // median of the last full pictures; 0 before the first

@@ -154,6 +154,7 @@ void Panes::submit(App& app, const Place& place) {
   if (wanted.mark_clamped) wanted.scene.shading.clamp = false;
   wanted.view.width = place.width, wanted.view.height = place.height;
   wanted.view.threads = drawing_threads();
+  wanted.view.reuse = true;
   const ViewMode view = app.settings.view;
   const bool together = view == ViewMode::difference || view == ViewMode::false_colour;
   jobs_.update(wanted, app.left, app.right, together);
@@ -205,12 +206,7 @@ void Panes::report(App& app) {
     f.max_error = d.max_error, f.rmse = d.rmse;
     f.coverage_mismatch = long(d.coverage_mismatch), f.over_1_255 = long(d.over_1_255);
   }
-  app.plans.clear();
-  for (int side = 0; side < 2; ++side) {
-    const PaneState& pane = jobs_.pane(side);
-    app.drawings[side] = pane.drawing;
-    app.plans.push_back(pane.plan ? *pane.plan : Plan{});
-  }
+  for (int side = 0; side < 2; ++side) app.drawings[side] = jobs_.pane(side).drawing;
 }
 
 void Panes::draw_lines(const ImDrawList*, const ImDrawCmd* command) {

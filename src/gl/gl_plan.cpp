@@ -73,7 +73,7 @@ void add_on_demand(const char* id, Words name, bool wanted, Text why, const Coun
         n.pixels * frame_pixel + drawn);
 }
 
-constexpr Words ids_name{"Triangle and object numbers", "三角形と物体の番号"}, normals_name{"Normals", "法線"};
+constexpr Words ids_name{"Triangle numbers", "三角形の番号"}, normals_name{"Normals", "法線"};
 constexpr Words nothing_depends_on_n{"nothing depends on N", "N に依存する項がない"};
 constexpr std::size_t id_pixel = 2 * sizeof(std::int32_t), normal_pixel = sizeof(glm::vec3);
 

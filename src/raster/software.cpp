@@ -86,7 +86,7 @@ void find_geometry(const Scene& scene, const Plan& plan, const View& view, Worke
   Drawing& drawing = buffers.drawing;
   VisibilityBuffer& visibility = buffers.visibility;
   const bool same_size = visibility.width == view.width && visibility.height == view.height;
-  const bool kept = optional(gather_objects(scene, view, workers, drawing) && same_size);
+  const bool kept = optional(gather_objects(scene, view, workers, drawing) && same_size && view.reuse);
   if constexpr (!only_plain) record_surfaces(drawing, kept, record);
   std::size_t vertices = 0, clipped = 0, sorted = buffers.sorted;
   const Viewport viewport(view.width, view.height);

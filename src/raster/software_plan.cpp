@@ -87,7 +87,7 @@ void add_lighting_passes(const Scene& scene, const Counts& n, PlanMaker& p) {
              : Words{"the vertices' colours, interpolated", "頂点の色を補間する"},
         other);
   const bool position = n.parts.position(s.local_viewer), normal = n.parts.normal();
-  p.add({"vertex-to-eye", {"Points and normals to the eye", "点と法線を視点座標へ"}}, phong && (position || normal),
+  p.add({"vertex-to-eye", {"To eye space", "視点座標へ"}}, phong && (position || normal),
         position && normal ? Words{"the light depends on P and N", "光源計算が P と N に依存する"}
         : normal ? Words{"the light depends on N, not on P", "光源計算は N に依存し、P には依存しない"}
                  : Words{"the light depends on P, not on N", "光源計算は P に依存し、N には依存しない"},
@@ -126,8 +126,7 @@ Plan software_plan(const Scene& scene, const View& view) {
   const auto on_demand = [&](const char* id, Words name, bool wanted, std::size_t bytes) {
     p.add({id, name, PassKind::pass, true}, wanted && n.pixels > 0, asked_for(true), asked_for(wanted), bytes);
   };
-  on_demand("ids", {"Triangle and object numbers", "三角形と物体の番号"}, view.ids,
-            n.pixels * 2 * sizeof(std::int32_t));
+  on_demand("ids", {"Triangle numbers", "三角形の番号"}, view.ids, n.pixels * 2 * sizeof(std::int32_t));
   on_demand("normals", {"Normals", "法線"}, view.normals, n.pixels * sizeof(glm::vec3));
   add_general_notes(scene, n, p);
   return plan;

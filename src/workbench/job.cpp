@@ -91,11 +91,12 @@ void Job::answer(const Request& request, std::uint64_t serial, Progress& progres
       const std::lock_guard lock(mutex_);
       state_.plan = plan;
     }
-    if (const int coarseness = first_coarseness(loaded.view); coarseness > 1) {
-      publish(draw(loaded, *plan, coarseness, progress), serial);
+    const bool shown_again = same_light(loaded) != nullptr;
+    if (const int coarseness = first_coarseness(loaded.view); coarseness > 1 && !shown_again) {
+      publish(draw(loaded, plan, coarseness, progress), serial);
       if (worker_.waiting()) return;
     }
-    publish(draw(loaded, *plan, 1, progress), serial);
+    publish(draw(loaded, plan, 1, progress), serial);
   } catch (const Cancelled&) {
     // Its elapsed time is what is known of a full picture now: the next one starts coarse.
     const std::lock_guard lock(mutex_);
@@ -109,8 +110,20 @@ void Job::answer(const Request& request, std::uint64_t serial, Progress& progres
   }
 }
 
-std::shared_ptr<Drawing> Job::draw(const Request& request, const Plan& plan, int coarseness, Progress& progress) {
+DrawingHandle Job::same_light(const Request& request) const {
+  const std::lock_guard lock(mutex_);
+  const DrawingHandle& before = state_.drawing;
+  const bool same = before && request.view.reuse && before->coarseness == 1 && before->view == request.view;
+  return same && scene_change(before->scene, request.scene).display_alone() ? before : nullptr;
+}
+
+std::shared_ptr<Drawing> Job::draw(const Request& request, std::shared_ptr<const Plan> plan, int coarseness,
+                                   Progress& progress) {
   auto drawing = std::make_shared<Drawing>();
+  {
+    const std::lock_guard lock(mutex_);
+    if (state_.drawing) drawing->change = scene_change(state_.drawing->scene, request.scene);
+  }
   View view = request.view;
   if (coarseness > 1)
     view.width = std::max(1, view.width / coarseness), view.height = std::max(1, view.height / coarseness);
@@ -120,10 +133,18 @@ std::shared_ptr<Drawing> Job::draw(const Request& request, const Plan& plan, int
     pass_start_ = Clock::now();
   }
   progress.fraction = 0;
-  const auto start = Clock::now();
-  drawing->frame = technique_.render(request.scene, plan, view, progress);
-  drawing->wall_ms = milliseconds(Clock::now() - start);
+  drawing->plan = coarseness > 1 ? std::make_shared<const Plan>(technique_.plan(request.scene, view)) : std::move(plan);
+  if (const DrawingHandle before = same_light(request); before && coarseness == 1) {
+    drawing->frame = before->frame, drawing->wall_ms = before->wall_ms;
+    for (PassRun& run : drawing->frame.passes) run.cpu_ms = 0, run.kept = true;
+  } else {
+    const auto start = Clock::now();
+    drawing->frame = technique_.render(request.scene, *drawing->plan, view, progress);
+    drawing->wall_ms = milliseconds(Clock::now() - start);
+  }
   drawing->cpu_ms = drawing->frame.cpu_ms;
+  for (const PassRun& run : drawing->frame.passes)
+    drawing->partly = drawing->partly || (run.kept && (run.id == "transform" || run.id == "draw"));
   const Display& display = request.scene.display;
   drawing->shown = cg::picture(display, drawing->frame.colour);
   if (request.mark_clamped) drawing->clamped = mark_clamped(drawing->shown, drawing->frame.colour, display);

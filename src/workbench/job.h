@@ -9,6 +9,7 @@
 
 #include "image/difference.h"
 #include "scene/technique.h"
+#include "workbench/scene_change.h"
 #include "workbench/worker.h"
 
 namespace cg {
@@ -27,10 +28,13 @@ struct Drawing {
   View view;                 // as asked for; frame is smaller by `coarseness`
   int coarseness = 1;        // 4: a quarter of the width and of the height
   Frame frame;
-  Picture shown;       // frame.colour as a screen shows it
-  Clamped clamped;     // what was painted, if that was asked for
-  double wall_ms = 0;  // of the technique
-  double cpu_ms = 0;   // of the technique, all threads
+  Picture shown;                     // frame.colour as a screen shows it
+  Clamped clamped;                   // what was painted, if that was asked for
+  std::shared_ptr<const Plan> plan;  // by which it was drawn
+  SceneChange change;                // against the drawing before; all false in the first
+  bool partly = false;               // something was taken from the drawing before: its times are not a whole picture's
+  double wall_ms = 0;                // of the technique
+  double cpu_ms = 0;                 // of the technique, all threads
 };
 using DrawingHandle = std::shared_ptr<const Drawing>;
 
@@ -68,7 +72,10 @@ class Job {
   using Clock = std::chrono::steady_clock;
 
   void answer(const Request& request, std::uint64_t serial, Progress& progress);
-  std::shared_ptr<Drawing> draw(const Request& request, const Plan& plan, int coarseness, Progress& progress);
+  std::shared_ptr<Drawing> draw(const Request& request, std::shared_ptr<const Plan> plan, int coarseness,
+                                Progress& progress);
+  // The drawing before, where only its display transform is another than that of `request`; else null.
+  DrawingHandle same_light(const Request& request) const;
   int first_coarseness(const View& view) const;
   void publish(std::shared_ptr<Drawing> drawing, std::uint64_t serial);
   void fail(std::uint64_t serial, Text message);

@@ -174,6 +174,10 @@ TEST(Reuse, OnlyLightAndMaterialLeaveTheTrianglesWhereTheyAre) {
   EXPECT_FALSE(draw_both(scene, view_of(64, 49)));
   scene.objects.pop_back();
   EXPECT_FALSE(draw_both(scene, view_of(64, 49)));
+  // Whoever does not ask for it gets a whole picture, whatever was there before.
+  Progress progress;
+  const Frame whole = kept.render(scene, kept.plan(scene, view_of(64, 49)), view_of(64, 49), progress);
+  for (const PassRun& run : whole.passes) EXPECT_FALSE(run.kept && run.id != "surfaces") << run.id;
 }
 
 TEST(Differences, AreFound) {

@@ -60,6 +60,39 @@ TEST(Job, DrawsWhatWasSubmitted) {
   EXPECT_EQ(state.plan->technique, "slow");
 }
 
+// Where light may be kept and only the display transform is another, nothing is drawn again.
+TEST(Job, AnotherDisplayAloneDrawsNothingAgain) {
+  std::atomic<int> rendered{0};
+  Technique t = slow_technique(0);
+  t.render = [&, inner = t.render](const Scene& s, const Plan& p, const View& v, Progress& g) {
+    ++rendered;
+    Frame frame = inner(s, p, v, g);
+    frame.passes = {{"draw", 1, 0, false}};
+    return frame;
+  };
+  Job job(t, {});
+  Request r = request(0.5);
+  const auto draw = [&] {
+    job.submit(r);
+    job.wait();
+    return job.poll().drawing;
+  };
+  r.view.reuse = true;
+  EXPECT_FALSE(draw()->partly);
+  r.scene.display.transform = DisplayTransform::photographic;
+  const DrawingHandle shown = draw();
+  EXPECT_EQ(rendered, 1);
+  EXPECT_TRUE(shown->partly && shown->frame.passes[0].kept && shown->change.display_alone());
+  EXPECT_NE(shown->shown.at(0, 0).r, to_8bit(0.5f));
+  EXPECT_EQ(shown->scene, r.scene);
+  r.scene.display.background = {1, 0, 0};
+  EXPECT_FALSE(draw()->partly);
+  EXPECT_EQ(rendered, 2);
+  r.scene.display.exposure = 1, r.view.reuse = false;
+  EXPECT_FALSE(draw()->partly);
+  EXPECT_EQ(rendered, 3);
+}
+
 TEST(Job, TheNewestWinsAndNoQueueGrows) {
   std::atomic<int> rendered{0};
   Technique t = slow_technique(5);
