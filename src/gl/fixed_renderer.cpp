@@ -61,10 +61,7 @@ Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& vi
   PassRecorder record;
   Frame frame = empty_frame(scene, view, record);
   if (!plan.runs("draw")) {
-    if (view.ids) record.item("ids", id_bytes(frame));
-    if (view.normals) record.item("normals", bytes_of(frame.normal));
-    record.finish(frame);
-    return frame;
+    return finish_empty(std::move(frame), view, record);
   }
   Picture picture{scene, plan, progress, gl_calls(scene), draw_list(scene, view), {}, {}, {}, {}, {}, record};
   picture.lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));

@@ -47,6 +47,13 @@ Frame empty_frame(const Scene& scene, const View& view, PassRecorder& record) {
   return frame;
 }
 
+Frame finish_empty(Frame frame, const View& view, PassRecorder& record) {
+  if (view.ids) record.item("ids", id_bytes(frame));
+  if (view.normals) record.item("normals", bytes_of(frame.normal));
+  record.finish(frame);
+  return frame;
+}
+
 bool FrameTarget::bind(int width, int height, Layers layers) {
   if (framebuffer_ && width == width_ && height == height_ && layers == layers_) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

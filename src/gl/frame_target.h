@@ -14,6 +14,8 @@ namespace cg {
 // The layers that `view` asks for, with the background in them, recorded as "picture". Throws InputError where OpenGL
 // cannot draw so many pixels; needs its context unless there are none.
 Frame empty_frame(const Scene& scene, const View& view, PassRecorder& record);
+// Nothing is drawn: the picture is that one.
+Frame finish_empty(Frame frame, const View& view, PassRecorder& record);
 // Of the layers with the ids.
 inline std::size_t id_bytes(const Frame& frame) { return bytes_of(frame.object) + bytes_of(frame.triangle); }
 

@@ -106,10 +106,7 @@ Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& vie
   PassRecorder record;
   Frame frame = empty_frame(scene, view, record);
   if (!plan.runs("draw")) {
-    if (view.ids) record.item("ids", id_bytes(frame));
-    if (view.normals) record.item("normals", bytes_of(frame.normal));
-    record.finish(frame);
-    return frame;
+    return finish_empty(std::move(frame), view, record);
   }
   const std::vector<Item> items = prepare(scene, plan, view, record, frame);
   throw_if_cancelled(progress);

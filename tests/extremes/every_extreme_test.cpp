@@ -15,31 +15,19 @@
 #include <set>
 #include <thread>
 
-#include "gl/techniques.h"
 #include "measure/extreme_run.h"
 #include "params/input_error.h"
-#include "raster/software.h"
+#include "tests/all_techniques.h"
 
 namespace cg {
 namespace {
-
-// The techniques live as long as the program: each has a context of its own.
-const std::vector<Technique>& techniques() {
-  static const std::vector<Technique> all = [] {
-    std::vector<Technique> list = gl_techniques();
-    for (Technique& t : list) find_availability(t);
-    list.push_back(software_technique());
-    return list;
-  }();
-  return all;
-}
 
 class EveryExtreme : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryExtreme, IsRightInEveryTechnique) {
   Progress progress;
   int drawn = 0;
-  for (const ExtremeResult& r : run_extremes(find_extremes(GetParam(), extreme_cases()), techniques(), progress)) {
+  for (const ExtremeResult& r : run_extremes(find_extremes(GetParam(), extreme_cases()), all_techniques(), progress)) {
     EXPECT_FALSE(is_failure(r.verdict)) << r.subject->id << ", " << r.by << ": " << r.error << ", " << r.said.en;
     drawn += r.verdict == Verdict::right;
     // Only what the description of the fixed function leaves out is not drawn.
@@ -236,7 +224,7 @@ TEST(ExtremeWalk, SeesAFormulaThatIsOffOrShowsNothing) {
 TEST(ExtremeWalk, StopsWhenItIsAsked) {
   Progress progress;
   progress.cancelled = true;
-  EXPECT_THROW(run_extremes(find_extremes("lights", extreme_cases()), techniques(), progress), Cancelled);
+  EXPECT_THROW(run_extremes(find_extremes("lights", extreme_cases()), all_techniques(), progress), Cancelled);
 }
 
 }  // namespace

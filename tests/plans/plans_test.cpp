@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "measure/extreme.h"
-#include "raster/software.h"
+#include "tests/all_techniques.h"
 #include "tests/plans/plan_scenes.h"
 #include "workbench/lesson.h"
 #include "workbench/measured_plan.h"
@@ -11,23 +11,12 @@
 namespace cg {
 namespace {
 
-// The techniques live as long as the program: each has a context of its own.
-const std::vector<Technique>& techniques() {
-  static const std::vector<Technique> all = [] {
-    std::vector<Technique> list = gl_techniques();
-    for (Technique& t : list) find_availability(t);
-    list.push_back(software_technique());
-    return list;
-  }();
-  return all;
-}
-
 class Plans : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (const auto& why = technique().unavailable) GTEST_SKIP() << why->en;
   }
-  const Technique& technique() const { return find(techniques(), GetParam()); }
+  const Technique& technique() const { return find(all_techniques(), GetParam()); }
 
   void check(const Scene& scene, const View& view) {
     if (technique().unsupported(scene)) return;
