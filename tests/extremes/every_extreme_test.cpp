@@ -3,7 +3,7 @@
 //
 // What else is extreme, and where it is asserted:
 //   random states of everything                    extremes_test.cpp, storm_main.cpp, gl/lighting_oracle_test.cpp
-//   how one picture follows another                software_extremes_test.cpp
+//   the same to rounding, in software              software_extremes_test.cpp
 //   sizes, by each rule for the normals' length    gl/extremes_test.cpp
 //   each broken file of hundreds                   scene/read_*_test.cpp, scene/bad_files_test.cpp
 //   clipping at the eye                            raster/clip_test.cpp
