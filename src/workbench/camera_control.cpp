@@ -8,17 +8,25 @@ namespace cg {
 namespace {
 
 constexpr double nearest = 1e-15, farthest = 1e25;  // of eye and target, metres
+constexpr double nearest_of_place = 1e-13;  // of their distance from the origin: nearer, rounding turns the view
 constexpr double pole = radians(1);
 constexpr double margin = 1.05;
 constexpr double near_of_radius = 1e-4, far_of_near = 1e6;
 
 glm::dvec3 finite_or(const glm::dvec3& v, const glm::dvec3& otherwise) { return is_finite(v) ? v : otherwise; }
 
+// How near the eye may come to the target where it is.
+double nearest_at(const glm::dvec3& target) {
+  return std::clamp(nearest_of_place * length_and_unit(target).length, nearest, farthest);
+}
+
 // A camera with a direction to look in.
 Camera looking(Camera c) {
   c.position = finite_or(c.position, {0, 0, 0}), c.target = finite_or(c.target, {0, 0, 0});
   if (unit(finite_or(c.up, {0, 0, 0})) == glm::dvec3(0)) c.up = {0, 1, 0};
-  if (length_and_unit(c.target - c.position).length < nearest) c.position = c.target + glm::dvec3(0, 0, 1);
+  const double least = nearest_at(c.target);
+  if (length_and_unit(c.target - c.position).length < least / 2)
+    c.position = c.target + glm::dvec3(0, 0, std::max(1.0, least));
   return c;
 }
 
@@ -107,7 +115,7 @@ Camera zoom(const Camera& camera, double factor, const glm::dvec2& at, double as
   const CameraAxes a = axes_of(c);
   const bool perspective = c.projection == Projection::perspective;
   const double size = perspective ? a.distance : a.height;
-  factor = std::clamp(size * factor, nearest, farthest) / size;
+  factor = std::clamp(size * factor, nearest_at(c.target), farthest) / size;
   const glm::dvec3 kept = c.target + a.height / 2 * (at.x * positive_aspect(aspect) * a.right + at.y * a.up);
   const glm::dvec3 target = kept + factor * (c.target - kept);
   if (perspective) {
@@ -163,7 +171,7 @@ Camera with_projection(Camera camera, Projection projection) {
   if (projection == Projection::orthographic) {
     camera.height = a.height;
   } else {
-    const double distance = std::clamp(a.height / (2 * half_tangent(camera)), nearest, farthest);
+    const double distance = std::clamp(a.height / (2 * half_tangent(camera)), nearest_at(camera.target), farthest);
     camera.position = camera.target - distance * a.forward;
   }
   return camera;

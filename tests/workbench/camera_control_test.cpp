@@ -159,26 +159,41 @@ TEST(DegenerateCameras, EveryGestureStaysFinite) {
   EXPECT_NE(orbit(at_target, 0.1, 0).position, at_target.target);
 }
 
+// So far from the origin that a step of one metre is lost in rounding, the eye still stands off the target.
+TEST(DegenerateCameras, FarFromTheOrigin) {
+  for (const double place : {1e17, 1e24}) {
+    Camera at_target = on_z(0);
+    at_target.position = at_target.target = {place, -place, place};
+    for (const Camera& c : {orbit(at_target, 0.1, 0), zoom(at_target, 0.5, {0, 0}, 1),
+                            zoom(at_target, 1e-30, {0, 0}, 1), with_planes(at_target, {}), pan(at_target, 0.3, 0.2)}) {
+      EXPECT_TRUE(finite(c)) << place;
+      EXPECT_GT(axes_of(c).distance, 0) << place;
+    }
+    EXPECT_NE(zoom(at_target, 0.5, {0, 0}, 1).position, at_target.target);
+  }
+}
+
 TEST(DegenerateCameras, AStormOfGestures) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> d(-1, 1);
   Camera c;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < 300000; ++i) {
+    const double x = d(random), y = d(random), z = d(random);
     switch (random() % 5) {
       case 0:
-        c = orbit(c, 4 * d(random), 4 * d(random));
+        c = orbit(c, 4 * x, 4 * y);
         break;
       case 1:
-        c = pan(c, d(random), d(random));
+        c = pan(c, x, y);
         break;
       case 2:
-        c = zoom(c, std::exp(3 * d(random)), {d(random), d(random)}, 1.5);
+        c = zoom(c, std::exp(3 * z), {x, y}, 1.5);
         break;
       case 3:
         c = with_projection(c, random() % 2 ? Projection::perspective : Projection::orthographic);
         break;
       default:
-        c = random() % 50 ? with_planes(c, {}) : fit(c, {{0, 0, 0}, std::exp(20 * d(random))}, 1 + d(random));
+        c = random() % 50 ? with_planes(c, {}) : fit(c, {{0, 0, 0}, std::exp(20 * x)}, 1 + y);
     }
     ASSERT_TRUE(finite(c)) << i;
   }
