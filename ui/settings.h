@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "params/field.h"
+#include "params/slots.h"
 #include "workbench/view_mode.h"
 
 namespace cg {
@@ -138,5 +138,7 @@ inline constexpr auto fields_of<Settings> = std::tuple{
     field(&Settings::code_width,
           {.name = "code_width", .range = {200, 3000}, .label = {"Program width", "プログラムの幅"}}),
 };
+
+extern template Slots slots<Settings>(Settings&);  // in settings.cpp
 
 }  // namespace cg

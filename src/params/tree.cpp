@@ -4,6 +4,13 @@
 
 namespace cg {
 
+Tree::Tree(const Tree&) = default;
+Tree::Tree(Tree&&) noexcept = default;
+Tree& Tree::operator=(const Tree&) = default;
+Tree& Tree::operator=(Tree&&) noexcept = default;
+Tree::~Tree() = default;
+bool Tree::operator==(const Tree& other) const { return value == other.value; }
+
 const Tree* Tree::find(std::string_view key) const {
   if (const Members* all = members())
     for (const auto& [name, tree] : *all)

@@ -25,6 +25,12 @@ struct Tree {
   Tree(std::string_view v) : value(std::string(v)) {}
   Tree(List v) : value(std::move(v)) {}
   Tree(Members v) : value(std::move(v)) {}
+  // In one .cpp, as they are long and every file that holds a tree would compile them anew.
+  Tree(const Tree&);
+  Tree(Tree&&) noexcept;
+  Tree& operator=(const Tree&);
+  Tree& operator=(Tree&&) noexcept;
+  ~Tree();
 
   bool is_null() const { return std::holds_alternative<std::nullptr_t>(value); }
   const bool* boolean() const { return std::get_if<bool>(&value); }
@@ -38,7 +44,7 @@ struct Tree {
   // The member named `key`, added (and this made an object) where there is none.
   Tree& at(std::string_view key);
 
-  friend bool operator==(const Tree&, const Tree&) = default;
+  bool operator==(const Tree&) const;
 };
 
 // Parses JSON text. `where` names the file in errors, which carry the line. Refuses duplicate keys, more than

@@ -2,9 +2,9 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include <span>
 #include "radiosity/form_factors.h"
 
 namespace cg {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/display.h"
+#include "params/slots.h"
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
@@ -69,6 +70,8 @@ inline constexpr auto fields_of<Scene> = std::tuple{
     field(&Scene::display, {.name = "display", .label = {"Display", "表示"}}),
     field(&Scene::mistakes, {.name = "mistakes", .label = {"Break it on purpose", "わざと間違える"}}),
 };
+
+extern template Slots slots<Scene>(Scene&);  // in scene.cpp: long, and wanted in many files
 
 inline const Material& material_of(const Scene& scene, const Object& object) {
   return object.own_material ? object.material : scene.material;

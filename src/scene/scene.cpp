@@ -1,0 +1,7 @@
+#include "scene/scene.h"
+
+namespace cg {
+
+template Slots slots<Scene>(Scene&);
+
+}  // namespace cg

@@ -1,0 +1,7 @@
+#include "ui/settings.h"
+
+namespace cg {
+
+template Slots slots<Settings>(Settings&);
+
+}  // namespace cg
