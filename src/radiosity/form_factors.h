@@ -22,9 +22,12 @@ struct FormFactorRow {
   std::uint32_t missed = 0;  // patches in front that no pixel or ray of any position met
 };
 
-// A method, made once for a scene: row(i) is called from several threads at once and depends on i alone.
+// A method, made once for a scene. Both are called from several threads at once, depend on their first arguments alone,
+// and throw Cancelled within 100 ms of Progress::cancelled (whose fraction is the caller's).
 struct FormFactorMethod {
-  std::function<FormFactorRow(std::uint32_t patch)> row;
+  std::function<FormFactorRow(std::uint32_t patch, const Progress& progress)> row;
+  // What a part of patch `own` sees of all patches: an element, given as a polygon of its own.
+  std::function<FormFactorRow(const Patch& part, std::uint32_t own, const Progress& progress)> part_row;
 };
 
 // By options.form_factors; uses item_buffer, resolution, samples, placement, rays, weight and normalise. The patches
