@@ -1,23 +1,93 @@
-// B = E + rho F B, solved step by step, so that every step can be looked at.
+// B = E + rho F B, solved step by step, so that every step can be looked at and gone back to.
+// This work is based on: Cindy Goral, Kenneth Torrance, Donald Greenberg, Bennett Battaile, Modeling the Interaction of
+// Light Between Diffuse Surfaces, 1984; Michael Cohen, Shenchang Chen, John Wallace, Donald Greenberg, A Progressive
+// Refinement Approach to Fast Radiosity Image Generation, 1988; Steven Gortler, Michael Cohen, Philipp Slusallek,
+// Radiosity and Relaxation Methods, 1994.
 #pragma once
-#include <functional>
 #include <memory>
-#include <span>
+#include <optional>
 #include <vector>
 
-#include "radiosity/form_factors.h"
+#include "radiosity/matrix.h"
 
 namespace cg {
 
-// Rows of F, kept or made when they are asked for; per RGB the same F.
-class FormFactorMatrix {
+struct RadiositySystem {
+  std::shared_ptr<const FormFactorMatrix> matrix;
+  std::vector<glm::dvec3> emission, reflectance;  // by patch; reflectance 0..1
+};
+
+RadiositySystem system_of(const Patches& patches, std::shared_ptr<const FormFactorMatrix> matrix);
+
+// What of the light is looked at.
+enum class LightPart { total, unshot, received, indirect };
+template <>
+inline constexpr std::array<Name, 4> names_of<LightPart>{{{"total", {"Total", "全体"}},
+                                                          {"unshot", {"Not yet shot", "未放出"}},
+                                                          {"received", {"Received", "受け取った光"}},
+                                                          {"indirect", {"Indirect only", "間接光だけ"}}}};
+
+enum class SolverEnd {
+  none,       // it goes on
+  converged,  // the residual is below options.residual
+  rounding,   // it fell no further: the digits of double are used up
+  diverges    // it grows, or no row absorbs light
+};
+
+struct ResidualPoint {
+  std::size_t step = 0;
+  double sweeps = 0;
+  double seconds = 0;      // of the steps, wall clock
+  double error_bound = 0;  // max norm of the residual (or what bounds it) over 1 - rho_max: B is no further off
+};
+
+class Solver {
  public:
-  virtual ~FormFactorMatrix() = default;
-  virtual std::size_t size() const = 0;
-  // sum_j F_ij x_j, in double.
-  virtual glm::dvec3 times(std::size_t i, std::span<const glm::dvec3> x) const = 0;
-  // Calls visit(j, F_ij) for every entry of row i.
-  virtual void row(std::size_t i, const std::function<void(std::size_t, double)>& visit) const = 0;
+  // options.solver and options.residual count, and options.memory for what a solver holds beside the matrix. `threads`
+  // compute the rows that the matrix does not keep. Throws InputError where the method cannot have so many patches.
+  Solver(RadiositySystem system, const Radiosity& options, int threads = 1);
+  ~Solver();
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+
+  const RadiositySystem& system() const;
+  RadiositySolver kind() const;
+
+  // One row (Jacobi, Gauss-Seidel), one shot (Southwell, progressive) or all of it (LU). Nothing where it has ended.
+  // These four throw Cancelled, within 100 ms; what was done until then stays, whole steps of it.
+  void step(Progress& progress);
+  void sweep(Progress& progress);  // to the end of this sweep: as many steps as there are patches
+  void run(Progress& progress);    // until it ends
+  // Back or forward to where `step` steps had been done. Back: from the nearest state that is remembered, forward
+  // again; states lie the denser the younger they are, and take 256 MiB at most.
+  void go_to(std::size_t step, Progress& progress);
+
+  std::size_t steps() const;
+  std::size_t steps_a_sweep() const;
+  double sweeps() const { return steps_a_sweep() ? double(steps()) / double(steps_a_sweep()) : 0; }
+  // The row or the shooting patch of the next step; nothing where it has ended, or has no rows.
+  std::optional<std::size_t> active() const;
+
+  SolverEnd end() const;
+  Text message() const;  // why it ended, and what to know of the way it goes; empty: nothing
+  const std::vector<ResidualPoint>& curve() const;
+
+  // By patch. Progressive refinement's includes what is unshot, and its ambient estimate until it has ended.
+  std::vector<glm::dvec3> radiosity() const;
+  // The ambient estimate of progressive refinement, else 0: rho of a patch times it is its share.
+  glm::dvec3 ambient() const;
+  // total: radiosity(). unshot: the residual E - (1 - rho F) B, which the shooting solvers keep. received: F B.
+  // indirect: B - E - rho F E. But the first, and unshot where shot, each reads the whole matrix. Throws Cancelled.
+  std::vector<glm::dvec3> part(LightPart part, Progress& progress) const;
+  // The max norm of E - (1 - rho F) B: reads the whole matrix, but for the shooting solvers. Throws Cancelled.
+  double residual(Progress& progress) const;
+  // What a residual is multiplied by for the error it bounds: 1/(1 - rho_max), or where row sums exceed 1 with
+  // rho_i times the row's sum for rho_max; 1 where there is no such bound.
+  double error_factor() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace cg
