@@ -28,11 +28,21 @@ struct Patch {
   std::uint32_t face = 0;           // of the object's mesh
 };
 
+// Where elements meet.
+struct ElementVertex {
+  glm::dvec3 position;        // world
+  glm::dvec3 local;           // the same in the object's own coordinates
+  glm::dvec3 normal{0};       // the mesh's own, in the object's coordinates, any length; 0 where it has none
+  std::uint32_t surface = 0;  // its plane, or smooth surface, of one object: light goes over from element to element
+                              // within one and not beyond
+};
+
 // An element: a part of a patch, its corners among `vertices`.
 struct Element {
   std::array<std::uint32_t, 4> vertex;  // indices into Patches::vertices, counter-clockwise
   int corners = 4;
   std::uint32_t patch = 0;
+  int level = 0;  // how often the patch was cut in four; 0 is all of it
   double area = 0;
 };
 
@@ -40,17 +50,23 @@ struct Patches {
   std::vector<Patch> patches;
   std::vector<Element> elements;  // by patch, in order: those of patch p are first_element[p] .. first_element[p+1]-1
   std::vector<std::uint32_t> first_element{0};
-  // Shared by elements that meet in one plane of one object, so that light is interpolated across them and not across
-  // an edge; a T-junction's vertex is a corner of the large element's triangulation too (see elements_of_object).
-  std::vector<glm::dvec3> vertices;
-  bool closed = false;         // every edge has two faces: rows of F sum to 1
+  // Shared by the elements that meet in one surface. Where elements of different sizes meet, a vertex of the small ones
+  // lies inside an edge of the large one (a T-junction): radiosity/elements.h finds those.
+  std::vector<ElementVertex> vertices;
+  // Whatever leaves a front meets another front: rows of F sum to 1. Known from the solid angle of all faces, which
+  // is 4 pi from everywhere in such a room however its faces meet.
+  bool closed = false;
   std::size_t degenerate = 0;  // faces without area, left out
 };
 
 // Faces of every visible object, cut until no side is longer than options.patch_size. Triangles are cut into triangles
-// in four, quads into quads; other polygons into triangles first. Throws InputError where a reflectance is above 1 or a
-// patch count would pass 2^22, Cancelled.
+// in four, plane convex quads into quads; other polygons into triangles first. The front of a face is the side from
+// which its corners are counter-clockwise; a transform that mirrors leaves outside outside. Each patch is one element.
+// Throws InputError where a reflectance is not in 0..1 or a patch count would pass 2^22, Cancelled.
 Patches make_patches(const Scene& scene, const Radiosity& options, Progress& progress);
+
+// An element as a polygon of its own, with its patch's reflectance and emission.
+Patch element_as_patch(const Patches& patches, std::uint32_t element);
 
 // A number that is the same for scenes whose patches are: meshes, transforms, patch size. Not for their materials.
 std::uint64_t geometry_key(const Scene& scene, const Radiosity& options);
