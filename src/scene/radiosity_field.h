@@ -19,6 +19,8 @@ struct ObjectRadiosity {
   // stands in for I_a k_a; the material's emission is added by the light model as always. Corners of one position agree
   // where the light is continuous, and differ across an edge between planes.
   std::vector<glm::vec3> corners;
+  // The Object::mesh that was cut: where the object has another one now, the field is not drawn. Null: not known.
+  MeshHandle of = nullptr;
 };
 
 struct RadiosityField {

@@ -1,5 +1,6 @@
 // All there is to draw: a plain value to copy, compare and save. Meshes are shared and immutable, so a copy is
-// cheap and undo is a stack of scenes. Nothing derived is stored in it.
+// cheap and undo is a stack of scenes. Nothing derived is stored in it but the radiosity solution that is to be drawn,
+// which no file keeps.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/mistakes.h"
+#include "scene/radiosity.h"
+#include "scene/radiosity_field.h"
 #include "scene/shading.h"
 #include "scene/transform.h"
 
@@ -55,6 +58,8 @@ struct Scene {
   std::vector<Light> lights{Light{}};
   Camera camera;
   Shading shading;
+  Radiosity radiosity;
+  RadiosityHandle radiosity_field;  // the solution that Shading::ambient_source may name; null: there is none
   Display display;
   Mistakes mistakes;
   friend bool operator==(const Scene&, const Scene&) = default;
@@ -67,6 +72,7 @@ inline constexpr auto fields_of<Scene> = std::tuple{
     field(&Scene::lights, {.name = "lights", .label = {"Lights", "光源"}}),
     field(&Scene::camera, {.name = "camera", .label = {"Camera", "カメラ"}}),
     field(&Scene::shading, {.name = "shading", .label = {"Shading", "シェーディング"}}),
+    field(&Scene::radiosity, {.name = "radiosity", .label = {"Radiosity", "ラジオシティ"}}),
     field(&Scene::display, {.name = "display", .label = {"Display", "表示"}}),
     field(&Scene::mistakes, {.name = "mistakes", .label = {"Break it on purpose", "わざと間違える"}}),
 };

@@ -40,6 +40,12 @@ inline constexpr std::array<Name, 6> names_of<ColorMaterial>{
      {"specular", {"Specular", "鏡面"}},
      {"emission", {"Emission", "発光"}}}};
 
+// Where the ambient term comes from: I_a k_a, the same at every point, or a radiosity solution (scene/radiosity.h).
+enum class AmbientSource { constant, radiosity };
+template <>
+inline constexpr std::array<Name, 2> names_of<AmbientSource>{
+    {{"constant", {"Constant I_a k_a", "一定の I_a k_a"}}, {"radiosity", {"Radiosity", "ラジオシティ"}}}};
+
 // float or double: what the software reference computes in.
 enum class Precision { single_precision, double_precision };
 template <>
@@ -52,6 +58,7 @@ struct Shading {
   NormalRule normals = NormalRule::file;
   double crease_angle = 180;
   glm::dvec3 ambient{0.2, 0.2, 0.2};
+  AmbientSource ambient_source = AmbientSource::constant;
   bool local_viewer = false;
   bool two_sided = false;
   NormalLength normal_length = NormalLength::normalize;
@@ -100,6 +107,12 @@ inline constexpr auto fields_of<Shading> = std::tuple{
                               .label = {"Ambient light", "環境光"},
                               .help = {"The light that comes from everywhere, before any lamp is lit.",
                                        "光源がなくても四方から来る光。"}}),
+    field(&Shading::ambient_source,
+          {.name = "ambient_source",
+           .quantity = Quantity::ambient,
+           .label = {"Ambient term from", "環境光項"},
+           .help = {"Radiosity: the light that surfaces send to each other stands in for the constant I_a k_a.",
+                    "ラジオシティ：面どうしが送り合う光を、一定の I_a k_a の代わりにする。"}}),
     field(&Shading::local_viewer,
           {.name = "local_viewer",
            .symbol = "V",

@@ -29,6 +29,7 @@ SceneChange scene_change(const Scene& a, const Scene& b) {
   Shading shading = b.shading;
   shading.normals = a.shading.normals, shading.crease_angle = a.shading.crease_angle;
   c.light = a.lights != b.lights || a.shading != shading || a.mistakes != b.mistakes;
+  c.radiosity = a.radiosity_field != b.radiosity_field;
   c.material = a.material != b.material || !objects(same_material);
   c.background = a.display.background != b.display.background;
   c.display = a.display.transform != b.display.transform || a.display.exposure != b.display.exposure;
@@ -45,6 +46,7 @@ Text text_of(const SceneChange& c) {
   add(c.geometry, {"the shapes", "形"});
   add(c.camera, {"the camera", "カメラ"});
   add(c.light, {"the light", "光"});
+  add(c.radiosity, {"the radiosity solution", "ラジオシティの解"});
   add(c.material, {"the material", "素材"});
   add(c.background, {"the background", "背景"});
   add(c.display, {"the display", "表示変換"});

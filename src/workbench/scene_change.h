@@ -7,13 +7,16 @@ namespace cg {
 struct SceneChange {
   bool geometry = false;  // objects, where they stand, which normals they have
   bool camera = false;
-  bool light = false;  // lights and the light model's choices
+  bool light = false;      // lights and the light model's choices
+  bool radiosity = false;  // the solution that is drawn
   bool material = false;
   bool background = false;
   bool display = false;  // how light becomes what a screen shows
 
-  bool any() const { return geometry || camera || light || material || background || display; }
-  bool display_alone() const { return display && !(geometry || camera || light || material || background); }
+  bool any() const { return geometry || camera || light || radiosity || material || background || display; }
+  bool display_alone() const {
+    return display && !(geometry || camera || light || radiosity || material || background);
+  }
 };
 
 SceneChange scene_change(const Scene& a, const Scene& b);

@@ -17,6 +17,10 @@ TEST(SceneChange, NamesWhatChangedAndNoMore) {
   EXPECT_EQ(changed([](Scene& s) { s.camera.position.x = 9; }), "the camera");
   EXPECT_EQ(changed([](Scene& s) { s.lights[0].w = 0; }), "the light");
   EXPECT_EQ(changed([](Scene& s) { s.shading.reflection = Reflection::reflection_vector; }), "the light");
+  EXPECT_EQ(changed([](Scene& s) { s.shading.ambient_source = AmbientSource::radiosity; }), "the light");
+  EXPECT_EQ(changed([](Scene& s) { s.radiosity_field = std::make_shared<RadiosityField>(); }),
+            "the radiosity solution");
+  EXPECT_EQ(changed([](Scene& s) { s.radiosity.resolution = 64; }), "");  // not before it is solved again
   EXPECT_EQ(changed([](Scene& s) { s.material.n = 3; }), "the material");
   EXPECT_EQ(changed([](Scene& s) { s.objects[0].own_material = true; }), "the material");
   EXPECT_EQ(changed([](Scene& s) { s.objects[0].transform.scale.x = 2; }), "the shapes");
