@@ -18,7 +18,7 @@ namespace cg {
 // A plane convex polygon with three or four corners, in world coordinates, counter-clockwise seen from the side that
 // reflects.
 struct Patch {
-  std::array<glm::dvec3, 4> corner;
+  std::array<glm::dvec3, 4> corner{};
   int corners = 4;                  // 3 or 4
   glm::dvec3 centre{0}, normal{0};  // normal: unit; 0 where the patch has no area (it takes part in nothing)
   double area = 0;                  // m^2
@@ -30,8 +30,8 @@ struct Patch {
 
 // Where elements meet.
 struct ElementVertex {
-  glm::dvec3 position;        // world
-  glm::dvec3 local;           // the same in the object's own coordinates
+  glm::dvec3 position{0};     // world
+  glm::dvec3 local{0};        // the same in the object's own coordinates
   glm::dvec3 normal{0};       // the mesh's own, in the object's coordinates, any length; 0 where it has none
   std::uint32_t surface = 0;  // its plane, or smooth surface, of one object: light goes over from element to element
                               // within one and not beyond
