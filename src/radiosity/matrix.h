@@ -1,6 +1,7 @@
 // The matrix of form factors: rows dense, sparse, or computed again whenever they are asked for, as a plan decides from
 // their number, how full they are and the memory that is allowed.
 #pragma once
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -44,6 +45,14 @@ struct MatrixFigures {
   double sum_error() const { return rows == 0 ? 0 : std::max(1 - least_sum, greatest_sum - 1); }
 };
 
+// A row that is computed to be used once.
+struct PassingRow {
+  std::vector<FormFactor> factors;
+  double scale = 1;
+  glm::dvec3 times(const Channels& x) const;
+  void add(const glm::dvec3& x, const Channels& factor, Channels& y) const;
+};
+
 // Rows of F. F_ij is the float that is kept times the row's scale, in double: a row that was normalised sums to 1 to
 // the last digits whatever floats round.
 class FormFactorMatrix {
@@ -65,17 +74,22 @@ class FormFactorMatrix {
   const std::vector<double>& area() const { return area_; }
   // Of the kept rows.
   const std::vector<RowFigures>& row_figures() const { return figures_; }
-  // sum_j F_ij as times() adds it up, of a kept row.
-  double row_sum(std::size_t i) const;
+  // sum_j F_ij of a kept row, as times() has it.
+  double row_sum(std::size_t i) const { return sums_[i]; }
   double scale(std::size_t i) const { return scale_[i]; }
 
   // sum_j F_ij x_j of a kept row: the same bits on every call.
   glm::dvec3 times(std::size_t i, const Channels& x) const;
   // y_j += F_ij x factor_j for every j, of a kept row.
   void add_row(std::size_t i, const glm::dvec3& x, const Channels& factor, Channels& y) const;
+  // visit(j, F_ij) where that is not 0, j ascending, of a kept row: in matrix_rows.h.
+  template <class Visit>
+  void visit(std::size_t i, const Visit& visit) const;
   // F_ij of a kept row.
   double at(std::size_t i, std::size_t j) const;
-  // Any row, its factors multiplied by the scale: computed where it is not kept. Throws Cancelled.
+  // A row that is not kept, computed. Throws Cancelled.
+  PassingRow passing_row(std::size_t i, const Progress& progress) const;
+  // Any row to be looked at, its factors multiplied by the scale: computed where it is not kept. Throws Cancelled.
   FormFactorRow row(std::size_t i, const Progress& progress) const;
 
   // What is kept, transposed and without scales: at(i, j) of it times scale(j) is F_ji. All rows must be kept.
@@ -87,34 +101,32 @@ class FormFactorMatrix {
   struct Free {
     void operator()(void* p) const { std::free(p); }
   };
-  // Rows of `stride_` numbers, each aligned to 64 bytes and filled up with zeros.
   template <class Real>
-  struct Dense {
-    std::unique_ptr<Real[], Free> numbers;
-    void allocate(std::size_t count);
-  };
+  using Numbers = std::unique_ptr<Real[], Free>;  // aligned for lanes
 
   FormFactorMatrix() = default;
-  void allocate(Storage storage, std::size_t rows);
-  void keep(std::size_t i, FormFactorRow&& row);
-  template <class Visit>
-  void visit(std::size_t i, const Visit& visit) const;  // (j, number without scale)
-  void add_reciprocity(std::size_t i, double& largest, double& squares, double& all) const;
+  void set_up(std::vector<double> area);
+  template <class Real>
+  Numbers<Real> numbers(std::size_t rows) const;  // stride_ of them a row
+  void make_dense(std::size_t rows, int threads, Progress& progress);
+  void make_sparse(std::size_t rows, std::size_t bytes, int threads, Progress& progress);
+  void note(std::size_t i, const FormFactorRow& row);
+  double scale_of(double sum) const;
+  // work(row) with a row as it is kept: floats, doubles or entries.
+  template <class Work>
+  auto with_row(std::size_t i, const Work& work) const;
+  double stored(std::size_t i, std::size_t j) const;  // F_ij / scale
 
   Storage storage_ = Storage::dense;
-  bool doubles_ = false;
-  std::size_t kept_ = 0, stride_ = 0;
-  Dense<float> floats_;
-  Dense<double> exact_;
+  std::size_t kept_ = 0;
+  std::size_t stride_ = 0;  // numbers from one dense row to the next: whole lanes, filled up with zeros
+  Numbers<float> floats_;
+  Numbers<double> doubles_;  // instead of the floats where factors are known
   std::vector<std::vector<FormFactor>> sparse_;
-  std::vector<double> area_, scale_;
+  std::vector<double> area_, scale_, sums_;
   std::vector<RowFigures> figures_;
   bool normalised_ = false;
   FormFactorMethod method_;  // of the rows that are not kept
 };
-
-// Of a row that FormFactorMatrix::row() gave.
-glm::dvec3 times(const FormFactorRow& row, const Channels& x);
-void add_row(const FormFactorRow& row, const glm::dvec3& x, const Channels& factor, Channels& y);
 
 }  // namespace cg

@@ -17,7 +17,7 @@ struct RadiosityFigures {
   std::size_t steps = 0;
   double sweeps = 0;
   double residual = 0;     // max norm of E - (1 - rho F) B, measured at the end
-  double error_bound = 0;  // that over 1 - rho_max
+  double error_bound = 0;  // as ResidualPoint's
   SolverEnd end = SolverEnd::none;
 };
 

@@ -29,7 +29,7 @@ inline constexpr std::array<Name, 4> names_of<LightPart>{{{"total", {"Total", "å
 
 enum class SolverEnd {
   none,       // it goes on
-  converged,  // the residual is below options.residual
+  converged,  // the error is below options.residual times the brightest B
   rounding,   // it fell no further: the digits of double are used up
   diverges    // it grows, or no row absorbs light
 };
@@ -37,8 +37,10 @@ enum class SolverEnd {
 struct ResidualPoint {
   std::size_t step = 0;
   double sweeps = 0;
-  double seconds = 0;      // of the steps, wall clock
-  double error_bound = 0;  // max norm of the residual (or what bounds it) over 1 - rho_max: B is no further off
+  double seconds = 0;  // of the steps, wall clock
+  // The max norm of the residual (or what bounds it) over 1 - rho_max: B is no further off, as a share of the
+  // brightest.
+  double error_bound = 0;
 };
 
 class Solver {
@@ -79,7 +81,8 @@ class Solver {
   // total: radiosity(). unshot: the residual E - (1 - rho F) B, which the shooting solvers keep. received: F B.
   // indirect: B - E - rho F E. But the first, and unshot where shot, each reads the whole matrix. Throws Cancelled.
   std::vector<glm::dvec3> part(LightPart part, Progress& progress) const;
-  // The max norm of E - (1 - rho F) B: reads the whole matrix, but for the shooting solvers. Throws Cancelled.
+  // The max norm of E - (1 - rho F) B: reads the whole matrix. Of the shooting solvers as they keep it: the largest
+  // unshot radiosity, or of progressive refinement what its next bounce can be. Throws Cancelled.
   double residual(Progress& progress) const;
   // What a residual is multiplied by for the error it bounds: 1/(1 - rho_max), or where row sums exceed 1 with
   // rho_i times the row's sum for rho_max; 1 where there is no such bound.
