@@ -23,7 +23,7 @@ void choose_techniques(App& app) {
   app.right = index_of(app.techniques, app.settings.right, int(app.techniques.size()) - 1);
 }
 
-void restore(App& app, Placement& placement, SessionStore& store, bool with_scene) {
+void restore(App& app, WindowPlacement& placement, SessionStore& store, bool with_scene) {
   Session session = store.load();
   take_values(slots(app.settings), session.settings);
   take_values(slots(placement), session.window);
@@ -34,13 +34,13 @@ void restore(App& app, Placement& placement, SessionStore& store, bool with_scen
   }
 }
 
-void keep(App& app, const Placement& placement, SessionStore& store) {
+void keep(App& app, const WindowPlacement& placement, SessionStore& store) {
   const auto id = [&](int i) {
     return i >= 0 && i < int(app.techniques.size()) ? app.techniques[std::size_t(i)].id : std::string();
   };
   app.settings.left = id(app.left), app.settings.right = id(app.right);
   app.settings.lesson = app.lessons ? app.lessons->place() : std::string();
-  Placement place = placement;
+  WindowPlacement place = placement;
   Session session;
   session.scene = app.quiz ? app.quiz->quiz.before() : app.scene;
   if (!can_be_kept(*session.scene) && app.extremes) session.scene = app.extremes->before;

@@ -43,7 +43,7 @@ std::string last_glfw_error() {
 // GLFW, its window with an OpenGL context, and ImGui on it; undone in reverse order.
 class Surface {
  public:
-  Surface(App& app, const Placement& place) : ears_{app, {}, {}} {
+  Surface(App& app, const WindowPlacement& place) : ears_{app, {}, {}} {
     if (!glfwInit()) {
       const std::string why = last_glfw_error();
       throw InputError("display", {"no window can be opened: " + why, "ウィンドウを開けません: " + why},
@@ -248,7 +248,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
   };
   SessionStore store(options.keep_session ? state_folder() : std::nullopt,
                      options.keep_session ? config_folder() : std::nullopt);
-  Placement place;
+  WindowPlacement place;
   if (options.keep_session) restore(app, place, store, options.scene.empty());
   set_settings(app, options.set);
   choose_techniques(app);
