@@ -40,4 +40,8 @@ std::vector<glm::dvec3> vertex_values(const Patches& patches, const Outlines& ou
 std::vector<std::uint32_t> refine_elements(Patches& patches, std::span<const glm::dvec3> radiosity,
                                            const Radiosity& options, Progress& progress);
 
+// Cuts the elements until they have these levels, in order, as refine_elements() once left them. Returns false, and
+// changes nothing, where no cuts of these patches do. Throws Cancelled.
+bool cut_to_levels(Patches& patches, std::span<const int> levels, const Progress& progress);
+
 }  // namespace cg

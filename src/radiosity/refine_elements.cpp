@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
+#include <optional>
 
+#include "radiosity/channels.h"
 #include "radiosity/elements.h"
 #include "radiosity/vertex_numbers.h"
 #include "scene/polygon.h"
@@ -11,8 +14,6 @@ namespace cg {
 namespace {
 
 using Index = std::uint32_t;
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 // Elements whose corners differ by more than the share that is allowed.
 std::vector<bool> steep_elements(const Patches& patches, std::span<const glm::dvec3> radiosity,
@@ -102,6 +103,23 @@ void cut_elements(Patches& patches, std::vector<Index>& whole, const std::vector
       patches.first_element.push_back(e + 1);
 }
 
+// Numbers the vertices in the order in which the elements use them, whatever order of cuts made them.
+void number_by_use(Patches& patches) {
+  std::vector<Index> number(patches.vertices.size(), no_index);
+  std::vector<ElementVertex> used;
+  used.reserve(patches.vertices.size());
+  for (Element& e : patches.elements)
+    for (int i = 0; i < e.corners; ++i) {
+      Index& v = e.vertex[std::size_t(i)];
+      if (number[v] == no_index) {
+        number[v] = Index(used.size());
+        used.push_back(patches.vertices[v]);
+      }
+      v = number[v];
+    }
+  patches.vertices = std::move(used);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> refine_elements(Patches& patches, std::span<const glm::dvec3> radiosity,
@@ -116,8 +134,51 @@ std::vector<std::uint32_t> refine_elements(Patches& patches, std::span<const glm
     cut_elements(finer, whole, cut);
     cut = unbalanced_elements(finer);
   }
+  number_by_use(finer);
   patches = std::move(finer);
   return whole;
+}
+
+namespace {
+
+constexpr int most_levels = 20;
+
+// Which elements must be cut to come nearer to the levels; nothing where they cannot be reached. A cut element's
+// descendants stand together: what they take of it, 4^-(levels below it) each, sums to 1.
+std::optional<std::vector<bool>> cuts_towards(const Patches& patches, std::span<const int> levels) {
+  std::vector<bool> cut(patches.elements.size());
+  std::size_t next = 0;
+  for (Index e = 0; e < patches.elements.size(); ++e) {
+    const int level = patches.elements[e].level;
+    double taken = 0;
+    while (taken < 1) {
+      if (next == levels.size() || levels[next] < level || levels[next] > most_levels) return std::nullopt;
+      cut[e] = cut[e] || levels[next] > level;
+      taken += std::ldexp(1.0, -2 * (levels[next++] - level));
+    }
+    if (taken > 1) return std::nullopt;
+  }
+  if (next != levels.size()) return std::nullopt;
+  return cut;
+}
+
+}  // namespace
+
+bool cut_to_levels(Patches& patches, std::span<const int> levels, const Progress& progress) {
+  Patches finer = patches;
+  std::vector<Index> whole(finer.elements.size());
+  for (int round = 0; round <= most_levels; ++round) {
+    if (progress.cancelled) throw Cancelled{};
+    const auto cut = cuts_towards(finer, levels);
+    if (!cut) return false;
+    if (std::find(cut->begin(), cut->end(), true) == cut->end()) {
+      if (round > 0) number_by_use(finer);
+      patches = std::move(finer);
+      return true;
+    }
+    cut_elements(finer, whole, *cut);
+  }
+  return false;
 }
 
 }  // namespace cg
