@@ -4,6 +4,7 @@
 
 #include "params/numbers.h"
 #include "scene/cornell_box.h"
+#include "scene/radiosity_scenes.h"
 #include "scene/shape.h"
 #include "scene/write_obj.h"
 
@@ -21,6 +22,8 @@ writes. They carry no licence beyond that of this project.
 | `teapot.obj` | Martin Newell's control points, University of Utah, 1975 (The Utilization of Procedure Models in Digital Image Synthesis), given away by him and freely used since; the bottom was added later (Frank Crow, The Origins of the Teapot, 1987). Tessellated here with exact normals. |
 | `uv-sphere.obj` `icosphere.obj` `torus.obj` `torus-knot.obj` `cube.obj` `cylinder.obj` `cone.obj` `plane.obj` | From their equations (`src/scene/shape_round.cpp`, `src/scene/shape_flat.cpp`), with exact normals and uv. |
 | `cornell-box.obj` `cornell-box.mtl` | Measurements published for public use by the Cornell University Program of Computer Graphics, <https://www.graphics.cornell.edu/online/box/data.html>. See below. |
+| `parallel-squares` `perpendicular-squares` `closed-cube` `sphere-interior` `furnished-room` `corridor`, each `.obj` and `.mtl` | Made for this project (`src/scene/radiosity_scenes.cpp`): squares, a cube and a sphere whose radiosity is known in closed form, a room with a window and a corridor of thin strips to look at. Walls face into the room, furniture outwards; each but the squares is closed. |
+| `*.json` | Presets of those: a camera that looks into them, no lamp, the ambient term from radiosity. |
 
 ## The Cornell box
 
@@ -41,16 +44,15 @@ std::string shape_text(const Shape& shape) {
   return obj_text(part, "Shadebench: " + std::string(shape.label.en) + ", level " + std::to_string(shape.level));
 }
 
-std::string cornell_text() {
-  const std::vector<CornellPart> parts = cornell_parts();
+std::string scene_text(const BundledScene& scene) {
   std::vector<ObjPart> out;
-  for (const CornellPart& p : parts) out.push_back({p.name, p.material, &p.mesh});
-  return obj_text(out, "Shadebench: the Cornell box, in metres; see SOURCES.md", "cornell-box.mtl");
+  for (const BundledPart& p : scene.parts) out.push_back({p.name, p.material, &p.mesh});
+  return obj_text(out, "Shadebench: " + scene.comment + "; see SOURCES.md", scene.name + ".mtl");
 }
 
-std::string cornell_mtl() {
-  std::string out = "# Shadebench: the Cornell box, linear sRGB; see SOURCES.md\n";
-  for (const CornellMaterial& m : cornell_materials()) {
+std::string materials_text(const BundledScene& scene) {
+  std::string out = "# Shadebench: materials of " + scene.name + ", linear sRGB; see SOURCES.md\n";
+  for (const BundledMaterial& m : scene.materials) {
     const auto add = [&](const char* key, const glm::dvec3& v) {
       out += key;
       for (int i = 0; i < 3; ++i) out += " " + number_text(v[i]);
@@ -65,13 +67,39 @@ std::string cornell_mtl() {
   return out;
 }
 
+std::string list_text(const glm::dvec3& v) {
+  return "[" + number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z) + "]";
+}
+
+// The scene lit by its own light alone.
+std::string preset_text(const BundledScene& scene) {
+  std::string display = "{\"transform\": \"photographic\"";
+  if (scene.exposure != 0) display += ", \"exposure\": " + number_text(scene.exposure);
+  return "{\n  \"schema\": 1,\n  \"model\": \"" + scene.name +
+         ".obj\",\n  \"camera\": {\"position\": " + list_text(scene.eye) + ", \"target\": " + list_text(scene.target) +
+         ", \"fov\": " + number_text(scene.fov) + ", \"near\": 0.01},\n  \"lights\": {\"0\": {\"enabled\": false}},\n" +
+         "  \"shading\": {\"ambient_source\": \"radiosity\", \"clamp\": false},\n" +
+         "  \"radiosity\": {\"patch_size\": " + number_text(scene.patch_size) + "},\n  \"display\": " + display +
+         "}\n}\n";
+}
+
 }  // namespace
 
 std::vector<BundledFile> bundled_models() {
   std::vector<BundledFile> out;
   for (const Shape& s : shapes()) out.push_back({std::string(s.id) + ".obj", shape_text(s)});
-  out.push_back({"cornell-box.obj", cornell_text()});
-  out.push_back({"cornell-box.mtl", cornell_mtl()});
+  std::vector<BundledScene> scenes = radiosity_scenes();
+  scenes.push_back({.name = "cornell-box",
+                    .comment = "the Cornell box, in metres",
+                    .parts = cornell_parts(),
+                    .materials = cornell_materials(),
+                    .eye = {0, 0, 2.6},
+                    .fov = 40});
+  for (const BundledScene& scene : scenes) {
+    out.push_back({scene.name + ".obj", scene_text(scene)});
+    out.push_back({scene.name + ".mtl", materials_text(scene)});
+    out.push_back({scene.name + ".json", preset_text(scene)});
+  }
   out.push_back({"SOURCES.md", std::string(sources)});
   return out;
 }

@@ -10,7 +10,8 @@ struct BundledFile {
   std::string text;
 };
 
-// Every shape at its own level, the Cornell box with its materials, and SOURCES.md with the origin of each.
+// Every shape at its own level; the Cornell box and the scenes for radiosity, each with its materials and a preset; and
+// SOURCES.md with the origin of each.
 std::vector<BundledFile> bundled_models();
 
 }  // namespace cg

@@ -122,7 +122,7 @@ MeshData ceiling(const std::array<glm::dvec3, 4>& outer, const std::array<glm::d
 
 }  // namespace
 
-std::vector<CornellPart> cornell_parts() {
+std::vector<BundledPart> cornell_parts() {
   const std::array<glm::dvec3, 4> light{{{343, 548.8, 227}, {343, 548.8, 332}, {213, 548.8, 332}, {213, 548.8, 227}}};
   const std::array<glm::dvec3, 4> above{{{556, 548.8, 0}, {556, 548.8, 559.2}, {0, 548.8, 559.2}, {0, 548.8, 0}}};
   return {
@@ -138,7 +138,7 @@ std::vector<CornellPart> cornell_parts() {
   };
 }
 
-std::vector<CornellMaterial> cornell_materials() {
+std::vector<BundledMaterial> cornell_materials() {
   return {{"white", weighted_mean(white), glm::dvec3(0)},
           {"red", weighted_mean(red), glm::dvec3(0)},
           {"green", weighted_mean(green), glm::dvec3(0)},

@@ -215,7 +215,7 @@ TEST(Patches, WhichScenesAreClosed) {
 // The Cornell box is open to the front, as published.
 TEST(Patches, CornellBox) {
   Scene scene;
-  for (const CornellPart& part : cornell_parts()) {
+  for (const BundledPart& part : cornell_parts()) {
     Object object;
     object.name = part.name;
     object.mesh = Mesh::make(part.mesh);

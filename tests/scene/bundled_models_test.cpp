@@ -83,7 +83,7 @@ TEST(BundledModels, the_cornell_box_has_its_measures) {
   glm::dvec3 low(1), high(-1);
   double ceiling_and_light = 0;
   std::map<std::string, glm::dvec3> sizes;
-  for (const CornellPart& part : cornell_parts()) {
+  for (const BundledPart& part : cornell_parts()) {
     const MeshHandle mesh = Mesh::make(part.mesh);
     low = glm::min(low, mesh->low()), high = glm::max(high, mesh->high());
     sizes[part.name] = mesh->high() - mesh->low();
