@@ -119,6 +119,7 @@ void ImageProgram::start(const std::string& file) {
     throw cannot(error);
   }
   socket_ = ends[0];
+  ready_ = false;
   pid_ = pid;
 }
 
@@ -134,9 +135,15 @@ void ImageProgram::stop() {
 
 ImageConversation::ImageConversation(ImageProgram& program, std::string file, std::int64_t pixels_to_write)
     : program_(program), lock_(program.one_at_a_time_), file_(std::move(file)) {
-  limit_ = program.limit_ * (1 + pixels_to_write / (std::int64_t(16) << 20));
   program.start(file_);
-  latest_ = std::chrono::steady_clock::now() + limit_;
+  const auto limit = program.limit_ * (1 + pixels_to_write / (std::int64_t(16) << 20));
+  begin_limit(program.ready_ ? limit : limit + 6 * program.limit_);
+  own_limit_ = limit;
+}
+
+void ImageConversation::begin_limit(std::chrono::milliseconds limit) {
+  limit_ = limit;
+  latest_ = std::chrono::steady_clock::now() + limit;
 }
 
 ImageConversation::~ImageConversation() {
@@ -160,10 +167,20 @@ void ImageConversation::send(Kind kind, std::uint32_t value, const void* body, s
   check(send_bytes(program_.socket_, body, size, latest_));
 }
 
-Header ImageConversation::receive() {
+Header ImageConversation::receive_header() {
   Header header{};
   if (std::chrono::steady_clock::now() > latest_) check(Transfer::late);
   check(receive_bytes(program_.socket_, &header, sizeof header, latest_));
+  return header;
+}
+
+Header ImageConversation::receive() {
+  if (!program_.ready_) {
+    if (receive_header().kind != Kind::ready) misunderstood();
+    program_.ready_ = true;
+    begin_limit(own_limit_);
+  }
+  const Header header = receive_header();
   if (header.kind == Kind::failed) throw_failure(header);
   return header;
 }

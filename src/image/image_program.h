@@ -18,7 +18,8 @@ namespace cg {
 class ImageProgram {
  public:
   // `program`: where it lies; empty: in SHADEBENCH_IMAGES, beside the running program or in the folder above it.
-  // `limit`: how long a file may take. Starts nothing yet.
+  // `limit`: how long a file may take; the program's start, whose libraries may come from a cold disk, has six times
+  // as long and does not count. Starts nothing yet.
   explicit ImageProgram(std::filesystem::path program = {}, std::chrono::milliseconds limit = std::chrono::seconds(10));
   ~ImageProgram();
   ImageProgram(const ImageProgram&) = delete;
@@ -40,6 +41,7 @@ class ImageProgram {
   std::mutex one_at_a_time_;
   std::atomic<pid_t> pid_{-1};
   int socket_ = -1;
+  bool ready_ = false;  // its libraries are loaded
 };
 
 // One request and its answer; others wait until it is over. Unless finish() was called the program is stopped at the
@@ -62,12 +64,15 @@ class ImageConversation {
 
  private:
   void check(Transfer transfer);
+  void begin_limit(std::chrono::milliseconds limit);
+  image_protocol::Header receive_header();
   [[noreturn]] void throw_failure(const image_protocol::Header& header);
 
   ImageProgram& program_;
   std::unique_lock<std::mutex> lock_;
   std::string file_;
-  std::chrono::milliseconds limit_;
+  std::chrono::milliseconds own_limit_;  // of the file
+  std::chrono::milliseconds limit_;      // of what is awaited now
   Moment latest_;
   bool finished_ = false;
 };

@@ -1,6 +1,7 @@
 // What is said between the application and shadebench-images, over one socket: messages of a header and `size` bytes.
 // Both run on one machine and are built together, so numbers are written as they lie in memory.
 //
+//                                       ->  ready, once, when the libraries are loaded
 //   decode (format, the file's bytes)   ->  picture, rows..., done    or  failed, at any point
 //   inspect (the same)                  ->  picture, done             or  failed
 //   encode (EncodeOrder), rows..., end  ->  encoded (the file's bytes)  or  failed
@@ -29,7 +30,18 @@ constexpr int rows_at_once(std::size_t row_bytes) {
   return row_bytes >= rows_size ? 1 : int(rows_size / (row_bytes ? row_bytes : 1));
 }
 
-enum class Kind : std::uint32_t { decode = 0x53420001, inspect, encode, rows, end, picture, done, encoded, failed };
+enum class Kind : std::uint32_t {
+  decode = 0x53420001,
+  inspect,
+  encode,
+  rows,
+  end,
+  picture,
+  done,
+  encoded,
+  failed,
+  ready
+};
 
 enum class Failure : std::uint32_t { header, too_large, variant, pixels, memory, encoding };
 

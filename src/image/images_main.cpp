@@ -157,6 +157,7 @@ int main() {
   configure();
 
   Socket socket(conversation);
+  socket.send(Kind::ready, 0, nullptr, 0);
   for (;;) {
     const Header request = socket.receive_header();
     switch (request.kind) {
