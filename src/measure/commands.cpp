@@ -7,6 +7,7 @@
 #include "measure/extreme_command.h"
 #include "measure/lessons_command.h"
 #include "measure/plot.h"
+#include "measure/repetition.h"
 #include "params/file.h"
 #include "workbench/command_parts.h"
 #include "workbench/progress_line.h"
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_repeats = 1000;
+constexpr std::size_t most_bytes = 16 << 20;  // of an earlier run's file
 
 Tree list_tree() {
   Tree::List list;
@@ -91,6 +93,11 @@ int run_trade_command(const Arguments& a, std::span<const Technique> techniques,
   Arguments named = a;
   if (named.scene.empty()) named.scene = "teapot";
   const Scene scene = scene_for(named, language);
+  std::optional<Tree> earlier;
+  if (!a.against.empty()) {
+    earlier = parse_json(read_file(a.against, most_bytes), a.against);
+    check_same_trade(*earlier, knob, named.scene, a.against);
+  }
   if (!a.output.empty()) make_folder(a.output);
   Trade trade;
   {
@@ -99,6 +106,11 @@ int run_trade_command(const Arguments& a, std::span<const Technique> techniques,
     trade = run_trade(knob, named.scene, scene, techniques, options, progress);
   }
   if (!a.output.empty()) write_files(trade, a.output, language);
+  if (earlier) {
+    const Repetition r = hold_against(trade, *earlier, a.against);
+    print(a.json ? to_json(json_of(r)) + "\n" : text_of(r, language));
+    return r.same_errors == r.settings ? 0 : 1;
+  }
   print(a.json ? to_json(json_of(trade)) + "\n" : text_of(trade, language));
   return 0;
 }
@@ -114,7 +126,12 @@ std::vector<CommandOffer> measure_commands() {
             "DIR",
             {"Write the table (csv, json) and the plot (svg) here", "表（csv、json）と図（svg）の保存先"},
             &Arguments::output},
-           {"--repeats", "N", {"Each setting is timed so often, 5", "各設定の測定回数。既定は 5"}, &Arguments::repeats},
+           {"--repeats", "N", {"Each setting is timed so often, 9", "各設定の測定回数。既定は 9"}, &Arguments::repeats},
+           {"--against",
+            "FILE",
+            {"An earlier run's json: are the errors the same, the times within its spread",
+             "前回の json と比べる（誤差が同じか、時間がその幅に入るか）"},
+            &Arguments::against},
            {"--technique",
             "T",
             {"How it is drawn, where the knob leaves a choice", "手法（調整項目が選べるとき）"},

@@ -120,8 +120,8 @@ std::string svg_of(const Trade& trade, Language language) {
   };
   line(title, 30, 20, PlotInk::text);
   const std::string repeats = std::to_string(trade.repeats);
-  machine += japanese ? "。時間は " + repeats + " 回の中央値、横棒は四分位"
-                      : "; times are medians of " + repeats + ", bars the quartiles";
+  machine += japanese ? "。時間は " + repeats + " 回の中央値、横棒は最小から最大まで"
+                      : "; times are medians of " + repeats + ", bars from the least to the greatest";
   line(machine, 52, 13, PlotInk::dim);
   out += group(lay_out(speed_plot(trade), width, height, letters, language), 0, head);
   out += group(lay_out(convergence_plot(trade), width, height, letters, language), width, head);

@@ -124,12 +124,8 @@ double error_of(const Errors& errors, ErrorKind kind) { return kind == ErrorKind
 Spread spread_of(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto quantile = [&](double share) {
-    const double at = share * double(values.size() - 1);
-    const std::size_t below = std::size_t(at), above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], at - double(below));
-  };
-  return {quantile(0.25), quantile(0.5), quantile(0.75)};
+  const std::size_t n = values.size();
+  return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
 }
 
 std::vector<bool> pareto_front(std::span<const double> ms, std::span<const double> errors) {

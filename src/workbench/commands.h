@@ -22,6 +22,7 @@ struct Arguments {
   std::string report;  // a folder
   bool check = false, quick = false;
   std::string knob, repeats;  // of a trade
+  std::string against;        // a trade's file
   std::string extreme;        // a case, or a group of them
   bool list = false;
 };

@@ -63,6 +63,44 @@ TEST_F(TradeCommandTest, TwoRunsGiveTheSameErrors) {
   EXPECT_EQ(errors(), errors());
 }
 
+TEST_F(TradeCommandTest, ARunIsHeldAgainstAnEarlierOne) {
+  const std::vector<std::string> plain{"reflection", "torus", "--size", "48x48", "--repeats", "3"};
+  const auto with = [&](std::vector<std::string> all, std::initializer_list<std::string> more) {
+    all.insert(all.end(), more);
+    return run(all);
+  };
+  ASSERT_EQ(with(plain, {"-o", "."}).status, 0);
+  const std::string file = "reflection-torus.json";
+  const Outcome same = with(plain, {"--against", file, "--json"});
+  ASSERT_EQ(same.status, 0) << same.err;
+  const Tree result = parse_json(same.out, "result");
+  EXPECT_GT(*result.find("settings")->number(), 1);
+  EXPECT_EQ(*result.find("same_errors")->number(), *result.find("settings")->number());
+
+  Tree changed = parse_json(read_file(folder / file), file);
+  Tree::List& settings = std::get<Tree::List>(changed.at("settings").value);
+  settings[1].at("rmse") = *settings[1].find("rmse")->number() * 2;
+  settings[0].at("ms_low") = 1e9, settings[0].at("ms_high") = 2e9;
+  save_file(folder / "changed.json", to_json(changed));
+  const Outcome other = with(plain, {"--against", "changed.json", "--json"});
+  EXPECT_EQ(other.status, 1) << other.err;
+  const Tree found = parse_json(other.out, "result");
+  ASSERT_EQ(found.find("other_errors")->list()->size(), 1u);
+  EXPECT_EQ(found.find("other_errors")->list()->front(), *settings[1].find("id"));
+  EXPECT_EQ(*found.find("times_outside")->list()->front().find("id"), *settings[0].find("id"));
+
+  for (const char* language : {"C", "ja_JP.UTF-8"}) {
+    std::vector<std::string> wrong{"trade", "near-plane", "torus", "--against", file};
+    const Outcome o = run_program(SHADEBENCH_PROGRAM, folder, wrong, {{"LANG", language}});
+    EXPECT_EQ(o.status, 2);
+    EXPECT_NE(o.err.find("reflection-torus.json"), std::string::npos) << o.err;
+    EXPECT_EQ(o.error_lines(), 1u);
+  }
+  save_file(folder / "empty.json", "{}");
+  EXPECT_EQ(with(plain, {"--against", "empty.json"}).status, 2);
+  EXPECT_EQ(run({"reflection", "torus", "--size", "40x40", "--repeats", "1", "--against", file}).status, 2);
+}
+
 TEST_F(TradeCommandTest, MistakesAreOneLineThatSaysWhatWouldWork) {
   const auto mistake = [&](const std::vector<std::string>& arguments, const std::string& says) {
     const Outcome o = run(arguments);

@@ -107,11 +107,11 @@ TEST(FitTest, TheOrderOfThePointsDoesNotMatter) {
   EXPECT_NEAR(fit_straight_part(x, error)->slope, 2, 1e-12);
 }
 
-TEST(SpreadTest, MedianAndQuartiles) {
+TEST(SpreadTest, MedianLeastAndGreatest) {
   const Spread s = spread_of({5, 1, 4, 2, 3});
-  EXPECT_EQ(s.low, 2);
+  EXPECT_EQ(s.low, 1);
   EXPECT_EQ(s.median, 3);
-  EXPECT_EQ(s.high, 4);
+  EXPECT_EQ(s.high, 5);
   EXPECT_EQ(spread_of({7}).high, 7);
   EXPECT_EQ(spread_of({1, 2}).median, 1.5);
   EXPECT_EQ(spread_of({}).median, 0);
