@@ -29,7 +29,10 @@ std::vector<Piece> light_model(const Scene& scene, bool with_rays) {
   std::vector<Piece> out{{"I", Part::sum}, {" = ", Part::sign, Quantity::none, "="}};
   if (emits)
     out.insert(out.end(), {{"E", Part::emission, Quantity::emission}, {" + ", Part::sign, Quantity::none, "+"}});
-  out.insert(out.end(), {{"I_ak_a", Part::ambient, Quantity::ambient},
+  // Of a radiosity solution all that the emission is not.
+  const bool radiosity = scene.shading.ambient_source == AmbientSource::radiosity;
+  const std::string ambient = !radiosity ? "I_ak_a" : emits ? "(B − E)" : "B";
+  out.insert(out.end(), {{ambient, Part::ambient, Quantity::ambient},
                          {" + Σ I_i [ ", Part::sign, Quantity::none, "+"},
                          {"k_d(N·L)", Part::diffuse, Quantity::diffuse},
                          {" + ", Part::sign, Quantity::none, "+"},
@@ -45,8 +48,13 @@ std::vector<Piece> light_model(const Scene& scene, bool with_rays) {
 
 constexpr float height_in_em = 1.3f;
 
-const About* about_of(Quantity q) {
+const About* about_of(const Scene& scene, Quantity q) {
   const About* found = nullptr;
+  if (q == Quantity::ambient && scene.shading.ambient_source == AmbientSource::radiosity) {
+    std::apply([&](const auto&... f) { ((found = f.about.name == "ambient_source" ? &f.about : found), ...); },
+               fields_of<Shading>);
+    return found;
+  }
   std::apply([&](const auto&... f) { ((found = !found && f.about.quantity == q ? &f.about : found), ...); },
              fields_of<Material>);
   return found;
@@ -54,7 +62,7 @@ const About* about_of(Quantity q) {
 
 void explain_term(App& app, const Piece& piece) {
   const Language l = app.language();
-  const About* about = about_of(piece.quantity);
+  const About* about = about_of(app.scene, piece.quantity);
   const Words click = app.isolated.term == piece.quantity
                           ? Words{"Click: all terms again", "クリックですべての項に戻す"}
                           : Words{"Click: this term alone", "クリックでこの項だけを描く"};

@@ -78,7 +78,7 @@ NumberRow factors(const Probe& p, const ProbedLight& l, int c, bool with_global)
   const std::string fade = faded == 1 ? "" : digits(faded) + " × ";
   NumberRow row;
   row.signs = false;
-  if (l.ambient[c] == 0 && with_global)
+  if (l.ambient[c] == 0 && with_global && !p.radiosity)
     row.cells[std::size_t(Part::ambient)] = factor(p.global_ambient[c]) + " × " + factor(p.material.k_a[c]);
   row.cells[std::size_t(Part::diffuse)] =
       fade + factor(l.diffuse[c]) + " × " + factor(p.material.k_d[c]) + " × " + digits(l.n_dot_l);
@@ -118,7 +118,7 @@ ProbeRows light_rows(const App& app, const Probe& p, const LitPoint& point) {
     out.narrow.push_back(values(Totals(terms, sum), 0, label));
     out.wide.push_back(out.narrow.back());
   };
-  add(-1, std::string(Words{"ambient", "環境光"}.in(language)));
+  add(-1, std::string((p.radiosity ? Words{"radiosity", "ラジオシティ"} : Words{"ambient", "環境光"}).in(language)));
   for (const ProbedLight& l : point.lights) {
     add(l.light, std::string(Words{"light ", "光源 "}.in(language)) + std::to_string(l.light));
     out.wide.back() = joined(factors(p, l, 0, false), out.wide.back());

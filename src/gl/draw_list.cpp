@@ -1,19 +1,18 @@
 #include "gl/draw_list.h"
 
 #include "shading/clip_position.h"
-#include "shading/surface_cache.h"
 
 namespace cg {
 
-std::vector<DrawItem> draw_list(const Scene& scene, const View& view) {
+std::vector<DrawItem> draw_list(const Scene& scene, const View& view, DrawnBy by) {
+  const RadiosityField* field = only_plain ? nullptr : drawn_field(scene, by);
   const glm::dmat4 world_to_eye = view_matrix(scene.camera);
   const glm::mat4 to_clip = eye_to_clip(scene, view.width, view.height);
   std::vector<DrawItem> items;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (!object.visible || !object.mesh) continue;
-    const SurfaceHandle surface =
-        surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    const SurfaceHandle surface = drawn_surface(scene, i, field);
     if (surface->triangle_count() == 0) continue;
     const glm::mat4 to_eye(surface_to_eye(scene, object, *surface));
     if (!can_be_placed(to_eye, surface_to_clip(to_clip, to_eye))) continue;
@@ -22,15 +21,17 @@ std::vector<DrawItem> draw_list(const Scene& scene, const View& view) {
   return items;
 }
 
-void record_surfaces(const std::vector<DrawItem>& items, bool kept, PassRecorder& record) {
+void record_surfaces(const std::vector<DrawItem>& items, bool kept, std::size_t radiosity_buffers,
+                     PassRecorder& record) {
   std::vector<const Surface*> all;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0, radiosity = 0;
   for (const DrawItem& item : items) {
     if (std::find(all.begin(), all.end(), item.surface.get()) != all.end()) continue;
     all.push_back(item.surface.get());
-    bytes += item.surface->bytes();
+    bytes += item.surface->bytes(), radiosity += bytes_of(item.surface->radiosity);
   }
   record.item("surfaces", bytes, kept);
+  if (radiosity > 0) record.item("radiosity", radiosity + radiosity_buffers, kept);
 }
 
 }  // namespace cg

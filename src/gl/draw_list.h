@@ -7,6 +7,7 @@
 #include "scene/pass_recorder.h"
 #include "scene/plan.h"
 #include "scene/scene.h"
+#include "shading/ambient_term.h"
 #include "shading/eye_normal.h"
 #include "shading/light_parts.h"
 #include "shading/surface.h"
@@ -23,9 +24,11 @@ struct DrawItem {
 
 // The visible objects that have triangles. Left out are objects whose mesh is not loaded or whose matrices are not
 // finite in float, as the software technique does.
-std::vector<DrawItem> draw_list(const Scene& scene, const View& view);
+std::vector<DrawItem> draw_list(const Scene& scene, const View& view, DrawnBy by = DrawnBy::light_model);
 
-// The surfaces of the list, each once: their bytes go to `record` as "surfaces".
-void record_surfaces(const std::vector<DrawItem>& items, bool kept, PassRecorder& record);
+// The surfaces of the list, each once: their bytes go to `record` as "surfaces", and those of their radiosity with the
+// buffers' of OpenGL, `radiosity_buffers` bytes, as "radiosity" where there is any.
+void record_surfaces(const std::vector<DrawItem>& items, bool kept, std::size_t radiosity_buffers,
+                     PassRecorder& record);
 
 }  // namespace cg

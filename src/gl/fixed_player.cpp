@@ -199,6 +199,8 @@ MeshBody mesh_body(const std::vector<GlCall>& calls) {
     if (call.function == "glNormal3f") body.normals = MeshBody::Normals::flipped;
     if (call.function != "glColor3fv") continue;
     const std::string& shade = call.tokens.at(0);
+    if (shade == "radiosity") body.radiosity = true;
+    if (shade == "radiosity") continue;
     body.by_hand = true;
     body.normals = shade.find("flipped") != shade.npos     ? MeshBody::Normals::flipped
                    : shade.find("no_normal") != shade.npos ? MeshBody::Normals::none

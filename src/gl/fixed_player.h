@@ -38,7 +38,8 @@ class FixedPlayer {
 // What the body of draw_mesh gives OpenGL at each corner.
 struct MeshBody {
   enum class Normals { given, flipped, none } normals = Normals::given;
-  bool by_hand = false;  // colours of the program's own light model instead of normals
+  bool by_hand = false;    // colours of the program's own light model instead of normals
+  bool radiosity = false;  // colours of a radiosity solution as well
 };
 MeshBody mesh_body(const std::vector<GlCall>& calls);
 

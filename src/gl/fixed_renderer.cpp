@@ -1,5 +1,8 @@
 #include "gl/fixed_renderer.h"
 
+#include <cfloat>
+#include <cmath>
+
 #include "gl/check.h"
 #include "gl/fixed_by_hand.h"
 #include "gl/fixed_extremes.h"
@@ -37,6 +40,16 @@ void unbind() {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
+// What stands before the radiosity of an object's vertices in the sum; where it is NaN, what makes OpenGL's sum black
+// as the other techniques' is.
+glm::vec3 emission_of(const Scene& scene, const DrawItem& item) {
+  const Object& object = scene.objects[std::size_t(item.object)];
+  glm::vec3 emission = drawn_material<float>(scene, object, *item.surface).emission;
+  for (int c = 0; c < 3; ++c)
+    if (std::isnan(emission[c]) && scene.shading.clamp) emission[c] = -FLT_MAX;
+  return emission;
+}
+
 }  // namespace
 
 struct FixedRenderer::Picture {
@@ -63,7 +76,8 @@ Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& vi
   if (!plan.runs("draw")) {
     return finish_empty(std::move(frame), view, record);
   }
-  Picture picture{scene, plan, progress, gl_calls(scene), draw_list(scene, view), {}, {}, {}, {}, {}, record};
+  Picture picture{scene, plan, progress, gl_calls(scene), draw_list(scene, view, DrawnBy::fixed_function), {}, {},
+                  {},    {},   {},       record};
   picture.lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
   picture.aspect = double(view.width) / double(view.height);
   picture.body = mesh_body(picture.calls);
@@ -98,20 +112,21 @@ Frame FixedRenderer::render(const Scene& scene, const Plan& plan, const View& vi
 // The vertices, where they are not there from a picture before.
 void FixedRenderer::upload(const Picture& picture) {
   std::vector<const GpuSurface*> all;
-  std::size_t bytes = 0, normal_bytes = 0;
+  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0;
   bool all_kept = true;
   picture.record.skip();
   for (const DrawItem& item : picture.items) {
     bool kept = false;
     const GpuSurface& s = buffers_.get(item.surface, picture.normals, &kept);
+    if (s.radiosity) buffers_.get_with_emission(item.surface, picture.normals, emission_of(picture.scene, item));
     if (std::find(all.begin(), all.end(), &s) != all.end()) continue;
     all.push_back(&s);
-    bytes += s.bytes, normal_bytes += s.normal_bytes;
+    bytes += s.bytes, normal_bytes += s.normal_bytes, radiosity_bytes += s.radiosity_bytes;
     all_kept = all_kept && kept;
   }
   picture.record.pass("vertex-upload", bytes, all_kept);
   if (normal_bytes > 0) picture.record.item("normal-buffers", normal_bytes, all_kept);
-  record_surfaces(picture.items, all_kept, picture.record);
+  record_surfaces(picture.items, all_kept, radiosity_bytes, picture.record);
 }
 
 void FixedRenderer::draw(Picture& picture, Frame& frame) {
@@ -156,7 +171,12 @@ void FixedRenderer::draw_mesh(const DrawItem& item, Picture& picture, const Fixe
     const Scene mistaken = with_mistaken_lights(scene);
     send_lights_from_eye(mistaken, lighting_in_eye_space<double>(mistaken, view_matrix(mistaken.camera)), unit);
   }
-  send_emission_of_nan(eye_material<double>(*item.material, scene.shading.color_material), picture.lighting);
+  if (item.surface->radiosity.empty()) {
+    send_emission_of_nan(eye_material<double>(*item.material, scene.shading.color_material), picture.lighting);
+  } else {
+    const glm::vec3 emission = emission_of(scene, item);  // of a vertex without light
+    glColor3fv(&emission.x);
+  }
   const glm::mat4 modelview(player.view() * player.object() * item.surface->to_mesh());
   load_matrices(projection_in_unit(glm::mat4(player.projection()), unit), modelview_in_unit(modelview, unit));
   if (!picture.state_recorded || !picture.as_listed) record_fixed_state(picture.record);
@@ -176,6 +196,11 @@ void FixedRenderer::draw_arrays(const DrawItem& item, Picture& picture) {
   picture.by_hand_bytes = std::max(picture.by_hand_bytes, bytes_of(own));
   const GpuSurface& surface = buffers_.get(item.surface, picture.normals);
   bind_positions(surface);
+  if (body.radiosity && surface.radiosity) {
+    glBindBuffer(GL_ARRAY_BUFFER, surface.radiosity);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(3, GL_FLOAT, 0, nullptr);
+  }
   glBindBuffer(GL_ARRAY_BUFFER, own.empty() ? surface.normals : 0);
   if (body.by_hand) {
     glEnableClientState(GL_COLOR_ARRAY);

@@ -16,17 +16,19 @@ namespace {
 
 // What is drawn, and what it uses of the light model, as the shader or the fixed function is told it.
 struct Counts : DrawnCounts {
+  AmbientReason ambient;
   std::vector<DrawItem> items;
   std::size_t pixels = 0;
   EyeLighting<double> lighting;  // of the scene as it is given
 };
 
-Counts count(const Scene& scene, const View& view) {
+Counts count(const Scene& scene, const View& view, DrawnBy by) {
   Counts n;
+  n.ambient = ambient_reason(scene, by);
   n.pixels = std::size_t(std::max(view.width, 0)) * std::size_t(std::max(view.height, 0));
   n.lighting = lighting_in_eye_space<double>(scene, view_matrix(scene.camera));
   if (n.pixels == 0) return n;
-  n.items = draw_list(scene, view);
+  n.items = draw_list(scene, view, by);
   for (const DrawItem& item : n.items) n.add(item.surface);
   for (const Object& o : scene.objects) n.unplaced += o.visible && o.mesh && !o.mesh->triangles().empty();
   n.unplaced -= n.items.size();
@@ -34,8 +36,11 @@ Counts count(const Scene& scene, const View& view) {
 }
 
 EyeMaterial<float> material_in(const Scene& scene, const DrawItem& item) {
-  return eye_material<float>(material_of(scene, scene.objects[std::size_t(item.object)]), scene.shading.color_material);
+  return drawn_material<float>(scene, scene.objects[std::size_t(item.object)], *item.surface);
 }
+
+// A vertex's light of a radiosity solution: in the surface, and in OpenGL's memory.
+constexpr std::size_t a_lit_vertex = 2 * sizeof(glm::vec3);
 
 void add_picture(const Counts& n, PlanMaker& p) {
   p.add({"picture", {"Picture", "画像"}, PassKind::resource, true}, n.pixels > 0,
@@ -93,14 +98,15 @@ void add_programs(const Scene& scene, Counts& n, PlanMaker& p) {
         Words{"in the fragment shader, also where it is hidden later",
               "フラグメントシェーダーで計算し、後で隠れる画素も含む"},
         Words{"shading is not Phong", "フォンシェーディングでないので不要"});
-  add_light_parts(scene, n.parts, p);
+  add_light_parts(scene, n, n.ambient, p, a_lit_vertex);
 }
 
 // What the shaders are made of follows from the plan so far.
 void name_programs(const Scene& scene, const Counts& n, Plan& plan) {
   const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
   for (const DrawItem& item : n.items) {
-    std::string text = shader_features(scene.shading, plan, lighting, material_in(scene, item)).text();
+    const bool radiosity = !item.surface->radiosity.empty();
+    std::string text = shader_features(scene.shading, plan, lighting, material_in(scene, item), radiosity).text();
     if (std::find(plan.code.begin(), plan.code.end(), text) == plan.code.end()) plan.code.push_back(std::move(text));
   }
   for (Pass& pass : plan.passes)
@@ -114,7 +120,7 @@ void name_programs(const Scene& scene, const Counts& n, Plan& plan) {
 }  // namespace
 
 Plan gl_plan(const Scene& scene, const View& view) {
-  Counts n = count(scene, view);
+  Counts n = count(scene, view, DrawnBy::light_model);
   Plan plan;
   plan.technique = "gl";
   PlanMaker p(plan, n.triangles > 0);
@@ -137,12 +143,12 @@ Plan gl_plan(const Scene& scene, const View& view) {
   add_on_demand("ids", ids_name, view.ids, asked_for(true), n, id_pixel, 2 * sizeof(glm::ivec2), 0, p);
   add_on_demand("normals", normals_name, view.normals, asked_for(true), n, normal_pixel, 2 * sizeof(glm::vec4), 0, p);
   name_programs(scene, n, plan);
-  add_general_notes(scene, n, p);
+  add_general_notes(scene, n, n.ambient, p);
   return plan;
 }
 
 Plan gl_fixed_plan(const Scene& scene, const View& view) {
-  Counts n = count(scene, view);
+  Counts n = count(scene, view, DrawnBy::fixed_function);
   const Scene told = as_fixed_function(with_mistaken_lights(scene));
   const auto lighting = lighting_in_eye_space<double>(told, view_matrix(told.camera));
   const bool listed = lights_as_listed(scene, n.lighting, n.items);
@@ -150,9 +156,9 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
     const double unit =
         listed ? 1 : eye_unit(glm::dmat4(item.surface_to_eye), item.surface->radius, scene.shading.normal_length);
     n.parts |= light_parts(lighting_as_sent(lighting, listed, unit), material_in(told, item));
+    const Object& object = scene.objects[std::size_t(item.object)];
     n.parts.emission =
-        n.parts.emission ||
-        is_emission_of_nan(eye_material<double>(*item.material, scene.shading.color_material), n.lighting);
+        n.parts.emission || is_emission_of_nan(drawn_material<double>(scene, object, *item.surface), n.lighting);
   }
   const MeshBody body = mesh_body(gl_calls(scene));
   const bool flipped = body.normals == MeshBody::Normals::flipped;
@@ -180,10 +186,12 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
         Words{"GL_LIGHTING is off", "GL_LIGHTING がオフ"});
   p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}, PassKind::part}, false, {},
         Words{"the fixed function lights vertices only", "固定機能は頂点だけを照らす"});
-  add_light_parts(told, n.parts, p);
+  add_light_parts(told, n, n.ambient, p, a_lit_vertex);
   p.add({"color-material", {"Colour material", "カラーマテリアル"}, PassKind::part},
-        told.shading.color_material != ColorMaterial::off,
-        Words{"reflectances follow glColor", "反射率が glColor に従う"},
+        n.parts.radiosity || told.shading.color_material != ColorMaterial::off,
+        n.parts.radiosity
+            ? Words{"the emission follows glColor, one colour a vertex", "発光が頂点ごとの glColor に従う"}
+            : Words{"reflectances follow glColor", "反射率が glColor に従う"},
         Words{"glColor does nothing under lighting", "光源計算中の glColor は効かない"});
   p.add({"draw", {"Draw", "描画"}}, true,
         counted(n.triangles, " triangles: transform, light, rasterise in one go",
@@ -195,7 +203,7 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
                 numbered_bytes(largest_triangles), p);
   add_on_demand("normals", normals_name, view.normals, again, n, normal_pixel, sizeof(glm::vec4),
                 largest * sizeof(glm::vec3), p);
-  add_general_notes(scene, n, p);
+  add_general_notes(scene, n, n.ambient, p);
   for (Text& note : fixed_function_notes(scene, n.lighting, n.items)) p.note(std::move(note));
   return plan;
 }

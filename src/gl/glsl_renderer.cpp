@@ -35,9 +35,11 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
   std::vector<Item> items;
   bool all_kept = true;
   for (const DrawItem& drawn : list) {
-    const auto material = eye_material<float>(*drawn.material, scene.shading.color_material);
+    const Surface& surface = *drawn.surface;
+    const auto material = drawn_material<float>(scene, scene.objects[std::size_t(drawn.object)], surface);
+    const bool radiosity = optional(!surface.radiosity.empty());
     bool kept = false;
-    Program& program = programs_.get(shader_features(scene.shading, plan, lighting, material), &kept);
+    Program& program = programs_.get(shader_features(scene.shading, plan, lighting, material, radiosity), &kept);
     items.push_back({drawn, material, &program, nullptr});
     if constexpr (only_plain) continue;
     const std::string text = program.features().text();
@@ -50,7 +52,7 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
   }
   record.pass("compile", 0, all_kept);
   std::vector<const GpuSurface*> uploaded;
-  std::size_t bytes = 0, normal_bytes = 0;
+  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0;
   all_kept = true;
   for (Item& item : items) {
     const bool normals = item.program->features().has("VERTEX_NORMAL");
@@ -59,11 +61,12 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
     if (std::find(uploaded.begin(), uploaded.end(), item.surface) != uploaded.end()) continue;
     uploaded.push_back(item.surface);
     bytes += item.surface->bytes, normal_bytes += item.surface->normal_bytes;
+    radiosity_bytes += item.surface->radiosity_bytes;
     all_kept = all_kept && kept;
   }
   record.pass("vertex-upload", bytes, all_kept);
   if (normal_bytes > 0) record.item("normal-buffers", normal_bytes, all_kept);
-  if constexpr (!only_plain) record_surfaces(list, all_kept, record);
+  if constexpr (!only_plain) record_surfaces(list, all_kept, radiosity_bytes, record);
   return items;
 }
 

@@ -36,6 +36,7 @@ Program::Program(const ShaderSource& source, const ShaderFeatures& features) : f
   glAttachShader(program_, fragment);
   glBindAttribLocation(program_, position_attribute, "position");
   glBindAttribLocation(program_, normal_attribute, "normal");
+  if (features.has("RADIOSITY")) glBindAttribLocation(program_, radiosity_attribute, "radiosity");
   GLuint output = 0;
   glBindFragDataLocation(program_, output++, "colour");
   if (features.has("IDS")) glBindFragDataLocation(program_, output++, "id");

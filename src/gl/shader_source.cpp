@@ -16,7 +16,7 @@ std::string ShaderFeatures::text() const {
 }
 
 ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<float>& lighting,
-                               const EyeMaterial<float>& material) {
+                               const EyeMaterial<float>& material, bool radiosity) {
   const LightParts parts = light_parts(lighting, material);
   ShaderFeatures f;
   for (const EyeLight<float>& light : lighting.lights) f.lights += light_parts(light, material).lit();
@@ -31,6 +31,7 @@ ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const E
   // The terms of the light model;
   add(parts.emission, "EMISSION");
   add(parts.ambient, "AMBIENT");
+  add(radiosity && plan.runs("radiosity"), "RADIOSITY");
   add(parts.light_ambient, "LIGHT_AMBIENT");
   add(parts.diffuse, "DIFFUSE");
   add(highlights, "SPECULAR");

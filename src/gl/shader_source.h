@@ -21,9 +21,10 @@ struct ShaderFeatures {
   }
 };
 
-// What the shaders need for one object of a scene: nothing that `plan` leaves out.
+// What the shaders need for one object of a scene: nothing that `plan` leaves out. `radiosity`: its vertices bring
+// light of a radiosity solution.
 ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<float>& lighting,
-                               const EyeMaterial<float>& material);
+                               const EyeMaterial<float>& material, bool radiosity = false);
 // The ids of the plan's parts that are in such a shader.
 std::vector<const char*> part_ids(const ShaderFeatures& features);
 

@@ -1,6 +1,9 @@
 #include "gl/surface_buffers.h"
 
+#include <cstring>
+
 #include "gl/check.h"
+#include "scene/only_plain.h"
 
 namespace cg {
 
@@ -38,6 +41,20 @@ const GpuSurface& SurfaceBuffers::get(const SurfaceHandle& surface, UploadedNorm
   return s;
 }
 
+const GpuSurface& SurfaceBuffers::get_with_emission(const SurfaceHandle& surface, UploadedNormals normals,
+                                                    const glm::vec3& emission) {
+  get(surface, normals);
+  GpuSurface& s = buffers_.at({surface.get(), normals});
+  if (std::memcmp(&s.emission, &emission, sizeof emission) == 0) return s;
+  s.emission = emission;
+  std::vector<glm::vec3> sums = surface->radiosity;
+  for (glm::vec3& sum : sums) sum += emission;
+  glBindBuffer(GL_ARRAY_BUFFER, s.radiosity);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr(s.radiosity_bytes), sums.data());
+  check_gl("vertex upload");
+  return s;
+}
+
 void SurfaceBuffers::upload(const SurfaceHandle& surface, UploadedNormals normals, GpuSurface& s) const {
   if (arrays_) {
     glGenVertexArrays(1, &s.array);
@@ -62,19 +79,23 @@ void SurfaceBuffers::upload(const SurfaceHandle& surface, UploadedNormals normal
   else if (normals == UploadedNormals::given)
     fill(GL_ARRAY_BUFFER, s.normals, surface->normals, s.normal_bytes);
   if (normals != UploadedNormals::none) attribute(normal_attribute);
+  if (optional(!surface->radiosity.empty())) {
+    fill(GL_ARRAY_BUFFER, s.radiosity, surface->radiosity, s.radiosity_bytes);
+    attribute(radiosity_attribute);
+  }
   fill(GL_ELEMENT_ARRAY_BUFFER, s.indices, surface->indices, s.bytes);
   if (arrays_) glBindVertexArray(0);
 }
 
 void SurfaceBuffers::release(GpuSurface& s) {
-  for (GLuint* buffer : {&s.positions, &s.indices, &s.normals})
+  for (GLuint* buffer : {&s.positions, &s.indices, &s.normals, &s.radiosity})
     if (*buffer) glDeleteBuffers(1, buffer);
   if (s.array) glDeleteVertexArrays(1, &s.array);
 }
 
 std::size_t SurfaceBuffers::bytes() const {
   std::size_t all = 0;
-  for (const auto& [key, s] : buffers_) all += s.bytes + s.normal_bytes;
+  for (const auto& [key, s] : buffers_) all += s.bytes + s.normal_bytes + s.radiosity_bytes;
   return all;
 }
 

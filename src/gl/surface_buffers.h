@@ -12,13 +12,16 @@ namespace cg {
 // GL_NORMALIZE that would lose them (it gives 0 for a length of 1e-20 or 1e25 on Mesa).
 enum class UploadedNormals { none, given, within_float };
 
-// Positions and normals are three floats each, tightly packed, in a buffer each; normals only where they are needed.
+// Positions, normals and radiosity are three floats each, tightly packed, in a buffer each; normals only where they are
+// needed, radiosity where the surface has it.
 struct GpuSurface {
   SurfaceHandle surface;
   GLuint positions = 0, indices = 0, normals = 0;
-  GLuint array = 0;  // vertex array object: attribute 0 position, 1 normal; 0 in a legacy context
+  GLuint radiosity = 0;  // in a legacy context with the emission below: the two are OpenGL's one emission there
+  glm::vec3 emission{0};
+  GLuint array = 0;  // vertex array object: attribute 0 position, 1 normal, 2 radiosity; 0 in a legacy context
   // As they were asked of OpenGL.
-  std::size_t bytes = 0, normal_bytes = 0;  // positions and indices; normals
+  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0;  // positions and indices; normals; radiosity
   long last_used = 0;
 
   void draw() const;  // the buffers or the array must be bound
@@ -31,6 +34,8 @@ class SurfaceBuffers {
   // Uploads at the first call; `kept`, if not null: whether it was there already.
   // Throws InputError where OpenGL's memory does not suffice.
   const GpuSurface& get(const SurfaceHandle& surface, UploadedNormals normals, bool* kept = nullptr);
+  // The same, with the radiosity of the vertices plus `emission`, which is uploaded again where it is another.
+  const GpuSurface& get_with_emission(const SurfaceHandle& surface, UploadedNormals normals, const glm::vec3& emission);
   // To be called once a frame: frees what the last 8 frames did not use.
   void end_frame();
   void clear();
@@ -46,7 +51,7 @@ class SurfaceBuffers {
       buffers_;  // each keeps its surface, so that no address is used twice
 };
 
-// position attribute = 0, normal = 1, in every program of ours
-inline constexpr GLuint position_attribute = 0, normal_attribute = 1;
+// position attribute = 0, normal = 1, radiosity = 2, in every program of ours
+inline constexpr GLuint position_attribute = 0, normal_attribute = 1, radiosity_attribute = 2;
 
 }  // namespace cg

@@ -41,11 +41,13 @@ void mark_visible_triangles(const VisibilityBuffer& visibility, std::uint32_t tr
 template <class Real>
 class LightQueue {
  public:
-  explicit LightQueue(const ObjectShading<Real>& surface) : surface_(surface) {}
+  explicit LightQueue(const ObjectShading<Real>& surface)
+      : surface_(surface), radiosity_(optional(surface.light.uses_radiosity())) {}
 
-  // N is brought to unit length where the surface's normals are.
-  void add(const Vec3<Real>& P, const Vec3<Real>& N, Vec3<Real>& colour) {
+  // N is brought to unit length where the surface's normals are; B as the vertex brings it, where its light uses it.
+  void add(const Vec3<Real>& P, const Vec3<Real>& N, const Vec3<Real>& B, Vec3<Real>& colour) {
     P_.set(count_, P), N_.set(count_, N);
+    if (radiosity_) B_.set(count_, B);
     colour_[count_++] = &colour;
     if (count_ == batch_size) flush();
   }
@@ -53,16 +55,18 @@ class LightQueue {
   void flush() {
     if (count_ == 0) return;
     for (int i = count_; i < batch_size; ++i) P_.set(i, P_.get(0)), N_.set(i, N_.get(0));
+    for (int i = count_; i < batch_size && radiosity_; ++i) B_.set(i, B_.get(0));
     if (optional(surface_.normals.normalize) && surface_.light.uses_normal()) units(N_);
     EightVectors<Real> I;
-    surface_.light.light(P_, N_, I);
+    surface_.light.light(P_, N_, I, radiosity_ ? &B_ : nullptr);
     for (int i = 0; i < count_; ++i) *colour_[i] = I.get(i);
     count_ = 0;
   }
 
  private:
   const ObjectShading<Real>& surface_;
-  EightVectors<Real> P_, N_;
+  const bool radiosity_;
+  EightVectors<Real> P_, N_, B_;
   Vec3<Real>* colour_[batch_size];
   int count_ = 0;
 };
@@ -104,6 +108,7 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
     const std::size_t count = surface.positions.size();
     const bool phong = shading.mode == ShadingMode::phong, two_sided = optional(shading.lighting.two_sided);
     const bool position = optional(shading.uses_position), normal = only_plain || shading.uses_normal;
+    const bool radiosity = optional(s.light.uses_radiosity());
     fit(v.P, phong && position ? count : 0);
     fit(v.N, phong && normal ? count : 0);
     fit(v.front, phong ? 0 : count);
@@ -116,15 +121,16 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
       for (std::size_t k = part.begin; k < part.end; ++k) {
         const bool front = v.front_seen[k] != 0, back = two_sided && v.back_seen[k] != 0;
         if (!front && !back) continue;
-        Vec3<Real> P(Real(0)), N(Real(0));
+        Vec3<Real> P(Real(0)), N(Real(0)), B(Real(0));
         if (position) P = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[k]), Real(1)));
         if (normal) N = eye_normal(s.normals, Vec3<Real>(surface.normals[k]));
         if (phong) {
           if (position) v.P[k] = P;
           if (normal) v.N[k] = N;
         } else {
-          if (front) queue.add(P, N, v.front[k]);
-          if (back) queue.add(P, -N, v.back[k]);
+          if (radiosity) B = Vec3<Real>(surface.radiosity[k]);
+          if (front) queue.add(P, N, B, v.front[k]);
+          if (back) queue.add(P, -N, B, v.back[k]);
         }
       }
       queue.flush();

@@ -29,6 +29,7 @@ struct DeferredShading {
   ShadingMode mode;
   EyeLighting<Real> lighting;
   bool uses_position, uses_normal;           // whether the light on some object depends on P, on N
+  bool uses_radiosity;                       // whether some object's vertices bring light of a radiosity solution
   std::vector<ObjectShading<Real>> objects;  // as in Drawing
   std::vector<std::uint8_t> seen;            // 1 for each triangle that a pixel shows, by Drawing's numbers
 };

@@ -1,19 +1,20 @@
 #include "raster/drawing.h"
 
 #include "scene/pass_recorder.h"
-#include "shading/surface_cache.h"
+#include "shading/ambient_term.h"
 
 namespace cg {
 
 bool gather_objects(const Scene& scene, const View& view, Workers& workers, Drawing& drawing) {
   const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
+  const RadiosityField* field = only_plain ? nullptr : drawn_field(scene);
   std::size_t used = 0;
   bool same = true;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     workers.check();
     if (!object.visible || !object.mesh) continue;
-    SurfaceHandle surface = surface_cache().get(object.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    SurfaceHandle surface = drawn_surface(scene, i, field);
     if (surface->triangle_count() == 0) continue;
     const glm::dmat4 to_eye = surface_to_eye(scene, object, *surface);
     const glm::mat4 to_clip = surface_to_clip(projection, glm::mat4(to_eye));

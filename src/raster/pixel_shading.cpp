@@ -82,41 +82,45 @@ class ColourPixels {
   RecentTriangles<Triangle> recent_;
 };
 
-// Phong shading: point and normal interpolated, each where the light depends on it, and the light model at each pixel.
-template <class Real, bool with_P, bool with_N>
+// Phong shading: point, normal and radiosity interpolated, each where the light depends on it, and the light model at
+// each pixel.
+template <class Real, bool with_P, bool with_N, bool with_B>
 class PhongPixels {
  public:
   PhongPixels(const Drawing& drawing, const DeferredShading<Real>& shading) : drawing_(drawing), shading_(shading) {}
 
   void shade(const Lanes<std::uint32_t>& ids, const Place& place, LaneVectors<Real>& I) {
-    LaneVectors<Real> P{}, N{};
+    LaneVectors<Real> P{}, N{}, B{};
     Lanes<std::uint32_t> object{};
     for_each_run(ids, place.covered, [&](std::uint32_t id, const Lanes<std::int32_t>& mask) {
       const Triangle& t = recent_.get(id, [&] { return Triangle(shading_, SeenTriangle(drawing_, id)); });
-      if constexpr (with_P || with_N) {
+      if constexpr (with_P || with_N || with_B) {
         Weights<Lanes<Real>> w;
         t.weights.at(Lanes<Real>(lane_numbers<Real> + Real(place.x)), Real(place.y), w);
         if constexpr (with_P) put_at(t.P, w, mask, P);
         if constexpr (with_N) put_at(t.N, w, mask, N);
+        if constexpr (with_B) put_at(t.B, w, mask, B);
       }
       object = mask ? Lanes<std::uint32_t>{} + t.object : object;
     });
     for_each_run(object, place.covered, [&](std::uint32_t o, const Lanes<std::int32_t>& mask) {
-      light(shading_.objects[o], mask, lane_bytes(mask) & place.covered, P, N, I);
+      light(shading_.objects[o], mask, lane_bytes(mask) & place.covered, P, N, B, I);
     });
   }
 
  private:
   struct Triangle {
     TriangleWeights<Real> weights;
-    CornerVectors<Real> P, N;
+    CornerVectors<Real> P, N, B;
     std::uint32_t object = 0;
     Triangle() = default;
     Triangle(const DeferredShading<Real>& shading, const SeenTriangle& t) : object(std::uint32_t(t.index)) {
       const ShadedVertices<Real>& v = shading.objects[t.index].vertices;
-      if constexpr (with_P || with_N) weights = TriangleWeights<Real>(t.window);
+      if constexpr (with_P || with_N || with_B) weights = TriangleWeights<Real>(t.window);
       if constexpr (with_P) P = t.corners<Real>(v.P);
       if constexpr (with_N) N = t.corners<Real>(v.N, shows_back(shading, t) ? Real(-1) : Real(1));
+      if constexpr (with_B)
+        if (const auto& list = t.object.surface->radiosity; !list.empty()) B = t.corners<Real>(list);
     }
   };
 
@@ -137,13 +141,18 @@ class PhongPixels {
   // The lanes `lit` belong to one object. The others are lit with the numbers of one of them, so that nothing out of
   // the ordinary stands there, and left out.
   void light(const ObjectShading<Real>& surface, const Lanes<std::int32_t>& mask, LaneBytes lit,
-             const LaneVectors<Real>& P, const LaneVectors<Real>& N, LaneVectors<Real>& I) {
+             const LaneVectors<Real>& P, const LaneVectors<Real>& N, const LaneVectors<Real>& B, LaneVectors<Real>& I) {
     EightVectors<Real> points = eight(P), normals = eight(N), lights;
     const int one = first_lane(lit);
     for (int i = 0; i < lanes && lit != ~LaneBytes(0); ++i)
       if (!has_lane(lit, i)) points.set(i, points.get(one)), normals.set(i, normals.get(one));
     if (with_N && optional(surface.normals.normalize) && surface.light.uses_normal()) units(normals);
-    surface.light.light(points, normals, lights);
+    if constexpr (with_B) {
+      const EightVectors<Real> radiosity = eight(B);
+      surface.light.light(points, normals, lights, surface.light.uses_radiosity() ? &radiosity : nullptr);
+    } else {
+      surface.light.light(points, normals, lights);
+    }
     LaneVectors<Real> colours;
     std::memcpy(&colours.x, &lights.x, sizeof colours.x);
     std::memcpy(&colours.y, &lights.y, sizeof colours.y);
@@ -244,6 +253,15 @@ void shade_rows(const Drawing& drawing, const VisibilityBuffer& visibility, cons
   frame.nan_pixels = bad.load();
 }
 
+template <class Real, bool with_B, class Shade>
+void shade_phong(const DeferredShading<Real>& shading, const Shade& shade) {
+  if (shading.uses_position)
+    return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, true, true, with_B>>)
+                               : shade(shade_rows<Real, PhongPixels<Real, true, false, with_B>>);
+  return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, false, true, with_B>>)
+                             : shade(shade_rows<Real, PhongPixels<Real, false, false, with_B>>);
+}
+
 }  // namespace
 
 template <class Real>
@@ -251,7 +269,7 @@ void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, co
                   const glm::vec3& background, Workers& workers, Frame& frame) {
   const auto shade = [&](const auto& rows) { rows(drawing, visibility, shading, background, workers, frame); };
   if constexpr (only_plain) {
-    if (shading.mode == ShadingMode::phong) return shade(shade_rows<Real, PhongPixels<Real, false, true>>);
+    if (shading.mode == ShadingMode::phong) return shade(shade_rows<Real, PhongPixels<Real, false, true, false>>);
     return shade(shade_rows<Real, ColourPixels<Real, GouraudTriangle<Real>>>);
   }
   switch (shading.mode) {
@@ -260,11 +278,8 @@ void shade_pixels(const Drawing& drawing, const VisibilityBuffer& visibility, co
     case ShadingMode::gouraud:
       return shade(shade_rows<Real, ColourPixels<Real, GouraudTriangle<Real>>>);
     case ShadingMode::phong:
-      if (shading.uses_position)
-        return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, true, true>>)
-                                   : shade(shade_rows<Real, PhongPixels<Real, true, false>>);
-      return shading.uses_normal ? shade(shade_rows<Real, PhongPixels<Real, false, true>>)
-                                 : shade(shade_rows<Real, PhongPixels<Real, false, false>>);
+      return shading.uses_radiosity ? shade_phong<Real, true>(shading, shade)
+                                    : shade_phong<Real, false>(shading, shade);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "raster/pixel_shading.h"
 #include "raster/software_plan.h"
 #include "raster/software_trace.h"
+#include "shading/ambient_term.h"
 
 namespace cg {
 
@@ -121,16 +122,18 @@ void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing,
   shading.lighting.local_viewer = plan.runs("local-viewer");
   shading.lighting.two_sided = plan.runs("two-sides");
   shading.lighting.clamp = plan.runs("clamp");
-  shading.uses_position = shading.uses_normal = false;
+  shading.uses_position = shading.uses_normal = shading.uses_radiosity = false;
   shading.objects.resize(drawing.objects.size());
   for (std::size_t k = 0; k < drawing.objects.size(); ++k) {
     const Object& object = scene.objects[std::size_t(drawing.objects[k].index)];
     ObjectShading<Real>& s = shading.objects[k];
-    s.light = LightBatch<Real>(shading.lighting,
-                               eye_material<Real>(material_of(scene, object), scene.shading.color_material));
+    const Surface& surface = *drawing.objects[k].surface;
+    s.light =
+        LightBatch<Real>(shading.lighting, drawn_material<Real>(scene, object, surface), !surface.radiosity.empty());
     s.normals = normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
     shading.uses_position = shading.uses_position || s.light.uses_position();
     shading.uses_normal = shading.uses_normal || s.light.uses_normal();
+    shading.uses_radiosity = shading.uses_radiosity || s.light.uses_radiosity();
   }
 }
 
@@ -141,7 +144,7 @@ void shade(const Scene& scene, const Plan& plan, Workers& workers, PassRecorder&
   const Drawing& drawing = buffers.drawing;
   DeferredShading<Real>& shading = buffers.template shading<Real>();
   begin_shading(scene, plan, drawing, shading);
-  if constexpr (!only_plain) record_parts(shading, record);
+  if constexpr (!only_plain) record_parts(drawing, shading, record);
   mark_visible_vertices(drawing, buffers.visibility, workers, shading);
   if constexpr (!only_plain) record_marks(drawing, shading, record);
   shade_vertices(drawing, workers, shading);

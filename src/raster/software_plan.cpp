@@ -2,13 +2,13 @@
 
 #include "raster/deferred_shading.h"
 #include "shading/plan_maker.h"
-#include "shading/surface_cache.h"
 
 namespace cg {
 
 namespace {
 
 struct Counts : DrawnCounts {
+  AmbientReason ambient;
   std::size_t pixels = 0;
   bool crosses = false;  // something reaches out of the view volume
 };
@@ -28,6 +28,7 @@ bool reaches_out(const Mesh& mesh, const glm::dmat4& to_clip) {
 template <class Real>
 Counts count(const Scene& scene, const View& view) {
   Counts n;
+  n.ambient = ambient_reason(scene);
   n.pixels = std::size_t(std::max(view.width, 0)) * std::size_t(std::max(view.height, 0));
   if (n.pixels == 0) return n;
   const double aspect = double(view.width) / double(view.height);
@@ -35,9 +36,11 @@ Counts count(const Scene& scene, const View& view) {
   const glm::dmat4 to_clip = projection_matrix(scene.camera, aspect) * world_to_eye;
   const glm::mat4 projection = eye_to_clip(scene, view.width, view.height);
   const auto lighting = lighting_in_eye_space<Real>(scene, world_to_eye);
-  for (const Object& o : scene.objects) {
+  const RadiosityField* field = drawn_field(scene);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& o = scene.objects[i];
     if (!o.visible || !o.mesh) continue;
-    const SurfaceHandle surface = surface_cache().get(o.mesh, normal_rule(scene.shading), scene.shading.crease_angle);
+    const SurfaceHandle surface = drawn_surface(scene, i, field);
     if (surface->triangle_count() == 0) continue;
     const glm::mat4 to_eye(surface_to_eye(scene, o, *surface));
     if (!can_be_placed(to_eye, surface_to_clip(projection, to_eye))) {
@@ -45,8 +48,8 @@ Counts count(const Scene& scene, const View& view) {
       continue;
     }
     n.add(surface);
-    n.parts |= light_parts(lighting, eye_material<Real>(material_of(scene, o), scene.shading.color_material));
-    n.crosses = n.crosses || reaches_out(*o.mesh, to_clip * matrix(o.transform));
+    n.parts |= light_parts(lighting, drawn_material<Real>(scene, o, *surface));
+    n.crosses = n.crosses || reaches_out(*drawn_mesh(scene, i, field), to_clip * matrix(o.transform));
   }
   return n;
 }
@@ -121,14 +124,14 @@ Plan software_plan(const Scene& scene, const View& view) {
   add_surfaces(n, p);
   add_geometry_passes(view, n, p);
   add_lighting_passes(scene, n, p);
-  add_light_parts(scene, n.parts, p);
+  add_light_parts(scene, n, n.ambient, p);
   add_second_side(scene, n, plan);
   const auto on_demand = [&](const char* id, Words name, bool wanted, std::size_t bytes) {
     p.add({id, name, PassKind::pass, true}, wanted && n.pixels > 0, asked_for(true), asked_for(wanted), bytes);
   };
   on_demand("ids", {"Triangle numbers", "三角形の番号"}, view.ids, n.pixels * 2 * sizeof(std::int32_t));
   on_demand("normals", {"Normals", "法線"}, view.normals, n.pixels * sizeof(glm::vec3));
-  add_general_notes(scene, n, p);
+  add_general_notes(scene, n, n.ambient, p);
   return plan;
 }
 

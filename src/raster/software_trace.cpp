@@ -4,25 +4,35 @@
 
 namespace cg {
 
-void record_surfaces(const Drawing& drawing, bool kept, PassRecorder& record) {
+namespace {
+
+std::vector<const Surface*> surfaces_of(const Drawing& drawing) {
   std::vector<const Surface*> all;
+  for (const DrawnObject& o : drawing.objects)
+    if (std::find(all.begin(), all.end(), o.surface.get()) == all.end()) all.push_back(o.surface.get());
+  return all;
+}
+
+}  // namespace
+
+void record_surfaces(const Drawing& drawing, bool kept, PassRecorder& record) {
   std::size_t bytes = 0;
-  for (const DrawnObject& o : drawing.objects) {
-    if (std::find(all.begin(), all.end(), o.surface.get()) != all.end()) continue;
-    all.push_back(o.surface.get());
-    bytes += o.surface->bytes();
-  }
+  for (const Surface* s : surfaces_of(drawing)) bytes += s->bytes();
   record.item("surfaces", bytes, kept);
 }
 
 template <class Real>
-void record_parts(const DeferredShading<Real>& shading, PassRecorder& record) {
+void record_parts(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record) {
   LightParts parts;
   bool local_viewer = false;
   for (const ObjectShading<Real>& o : shading.objects)
     parts |= o.light.parts(), local_viewer = local_viewer || o.light.local_viewer();
   for (const char* id : part_ids(parts, local_viewer, shading.lighting.two_sided, shading.lighting.clamp))
     record.item(id);
+  if (!parts.radiosity) return;
+  std::size_t bytes = 0;
+  for (const Surface* s : surfaces_of(drawing)) bytes += bytes_of(s->radiosity);
+  record.item("radiosity", bytes);
 }
 
 template <class Real>
@@ -51,8 +61,8 @@ void record_vertices(const DeferredShading<Real>& shading, PassRecorder& record)
   }
 }
 
-template void record_parts(const DeferredShading<float>&, PassRecorder&);
-template void record_parts(const DeferredShading<double>&, PassRecorder&);
+template void record_parts(const Drawing&, const DeferredShading<float>&, PassRecorder&);
+template void record_parts(const Drawing&, const DeferredShading<double>&, PassRecorder&);
 template void record_marks(const Drawing&, const DeferredShading<float>&, PassRecorder&);
 template void record_marks(const Drawing&, const DeferredShading<double>&, PassRecorder&);
 template void record_vertices(const DeferredShading<float>&, PassRecorder&);

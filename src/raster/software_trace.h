@@ -10,7 +10,7 @@ void record_surfaces(const Drawing& drawing, bool kept, PassRecorder& record);
 
 // The parts of the light model that some object's light is made of.
 template <class Real>
-void record_parts(const DeferredShading<Real>& shading, PassRecorder& record);
+void record_parts(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record);
 
 // The marks of the visible triangles and vertices; those of clipped triangles belong to the clipping.
 template <class Real>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shading/ambient_term.h"
 #include "shading/light_model.h"
 
 namespace cg {
@@ -21,6 +22,7 @@ void ignore_color(Material& m, ColorMaterial tracked) {
 }  // namespace
 
 Scene as_fixed_function(Scene scene) {
+  if (!drawn_field(scene, DrawnBy::fixed_function)) scene.shading.ambient_source = AmbientSource::constant;
   const auto edit = [&](Material& m) {
     m.n = std::min(m.n, gl_shininess_limit);
     if (scene.mistakes.no_color_material) ignore_color(m, scene.shading.color_material);

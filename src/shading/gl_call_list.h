@@ -1,5 +1,6 @@
 // What the parts of gl_calls build their list with.
 #pragma once
+#include "shading/ambient_term.h"
 #include "shading/gl_calls.h"
 
 namespace cg {
@@ -31,6 +32,9 @@ inline bool follows_color(const Scene& scene) {
 }
 
 void add_light_calls(const Scene& scene, GlCallList& list);
+// The solution that the calls draw; null: none.
+inline const RadiosityField* field_of_calls(const Scene& scene) { return drawn_field(scene, DrawnBy::fixed_function); }
+
 void add_object_calls(const Scene& scene, GlCallList& list);
 
 }  // namespace cg

@@ -66,7 +66,7 @@ void add_light_model(const Scene& scene, GlCallList& list) {
   if (s.local_viewer)
     list.add("glLightModeli", {"GL_LIGHT_MODEL_LOCAL_VIEWER", "GL_TRUE"}).path = "shading.local_viewer";
   if (s.two_sided) list.add("glLightModeli", {"GL_LIGHT_MODEL_TWO_SIDE", "GL_TRUE"}).path = "shading.two_sided";
-  if (!follows_color(scene)) return;
+  if (!follows_color(scene) || field_of_calls(scene)) return;
   list.add("glColorMaterial", {"GL_FRONT_AND_BACK", color_material_token(s.color_material)}).path =
       "shading.color_material";
   GlCall& enable = list.add("glEnable", {"GL_COLOR_MATERIAL"});
@@ -133,6 +133,12 @@ void add_normal(const Mistakes& m, GlCallList& list) {
 void add_mesh(const Scene& scene, GlCallList& list) {
   list.section = GlSection::mesh;
   list.add("glBegin", {"GL_TRIANGLES"});
+  if (field_of_calls(scene)) {
+    GlCall& color = list.add("glColor3fv", {"radiosity"});
+    color.quantity = Quantity::ambient;
+    color.path = "shading.ambient_source";
+    color.notes.push_back(Words{"emission + radiosity of this vertex", "発光 + この頂点のラジオシティ"});
+  }
   add_normal(scene.mistakes, list);
   list.add("glVertex3fv", {"vertex"});
   list.add("glEnd", {});

@@ -6,6 +6,8 @@
 // that GL_LIGHT0 begins white and the others black), and each material's ambient, diffuse and specular colour and
 // shininess. Anything else only where it differs from OpenGL's default: attenuation, cone, emission, GL_NORMALIZE,
 // local viewer, two sides, clamping, each step of a transform. A reflectance that follows glColor has no glMaterial.
+// Where a radiosity solution is drawn (ambient_term.h), the emission of the objects that take part follows a glColor at
+// each vertex, and every reflectance has its glMaterial.
 // Objects that are not visible are left out; objects of one material, one after the other, share its calls.
 //
 // Which GL_LIGHTi is a light of the scene: its own index, where the scene has at most 8; a light that is off is then
@@ -32,7 +34,8 @@ enum class GlSection {
   draw,         // of one object: "draw_mesh", the function below, its mesh as the one token ("mesh0")
   // The body of draw_mesh, once, at the end of the list: glBegin, and for each corner of the triangles one glNormal3fv(
   // normal ) and one glVertex3fv( vertex ), glEnd. Where the program lights by hand, glColor3fv( shade( vertex, normal
-  // ) ) stands for the normal; "no_normal" there is (0, 0, 1), and flipped( normal ) is -normal.
+  // ) ) stands for the normal; "no_normal" there is (0, 0, 1), and flipped( normal ) is -normal. Where a radiosity
+  // solution is drawn, glColor3fv( radiosity ) comes first: the material's emission and the solution's light there.
   mesh
 };
 

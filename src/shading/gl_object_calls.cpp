@@ -65,6 +65,15 @@ void add_color(const Scene& scene, const Material& m, const std::string& path, G
   if (scene.mistakes.no_color_material) call.mistake = "no_color_material";
 }
 
+bool takes_part(const RadiosityField* field, int object) { return field && field->objects[std::size_t(object)].mesh; }
+
+// The emission of what takes part in a radiosity solution comes with each vertex; all else has its own.
+void add_emission_of_vertices(bool part, GlCallList& list) {
+  if (part) list.add("glColorMaterial", {"GL_FRONT_AND_BACK", "GL_EMISSION"}).path = "shading.ambient_source";
+  GlCall& follow = list.add(part ? "glEnable" : "glDisable", {"GL_COLOR_MATERIAL"});
+  follow.path = "shading.ambient_source";
+}
+
 void add_material(const Scene& scene, int object, GlCallList& list) {
   const Object& o = scene.objects[std::size_t(object)];
   const Material& m = material_of(scene, o);
@@ -72,22 +81,34 @@ void add_material(const Scene& scene, int object, GlCallList& list) {
   const std::string variable = gl_material_variable(scene, object);
   list.section = GlSection::material;
   const std::size_t first = list.calls.size();
+  const RadiosityField* field = field_of_calls(scene);
+  const bool part = takes_part(field, object);
   auto reflectance = [&](const char* token, const char* suffix, const char* name, const glm::dvec3& k, Quantity q) {
     list.add_array("glMaterialfv", {"GL_FRONT_AND_BACK", token}, variable + suffix, path + name, k, fixed(1), q);
   };
-  if (!is_tracked(scene, ColorMaterial::ambient))
-    reflectance("GL_AMBIENT", "_ambient", "k_a", m.k_a, Quantity::ambient);
-  if (!is_tracked(scene, ColorMaterial::diffuse))
-    reflectance("GL_DIFFUSE", "_diffuse", "k_d", m.k_d, Quantity::diffuse);
-  if (!is_tracked(scene, ColorMaterial::specular))
-    reflectance("GL_SPECULAR", "_specular", "k_s", m.k_s, Quantity::specular);
+  // A reflectance that follows glColor where glColor says something else, so that the colour is written here.
+  auto given = [&](const char* token, const char* suffix, const char* name, const glm::dvec3& k, Quantity q,
+                   ColorMaterial which) {
+    const bool tracked = is_tracked(scene, which);
+    if (!tracked || field) reflectance(token, suffix, tracked ? "color" : name, tracked ? m.color : k, q);
+  };
+  if (part) {
+    GlCall& none = list.add_array("glMaterialfv", {"GL_FRONT_AND_BACK", "GL_AMBIENT"}, variable + "_ambient", "",
+                                  glm::dvec3(0), fixed(1), Quantity::ambient);
+    none.notes.push_back(Words{"radiosity stands in for I_a k_a", "I_a k_a の代わりにラジオシティを使う"});
+  } else {
+    given("GL_AMBIENT", "_ambient", "k_a", m.k_a, Quantity::ambient, ColorMaterial::ambient);
+  }
+  given("GL_DIFFUSE", "_diffuse", "k_d", m.k_d, Quantity::diffuse, ColorMaterial::diffuse);
+  given("GL_SPECULAR", "_specular", "k_s", m.k_s, Quantity::specular, ColorMaterial::specular);
+  if (field) add_emission_of_vertices(part, list);
   const bool some_emission = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& other) {
     return other.visible && material_of(scene, other).emission != glm::dvec3(0);
   });
-  if (some_emission && !is_tracked(scene, ColorMaterial::emission))
-    reflectance("GL_EMISSION", "_emission", "emission", m.emission, Quantity::emission);
+  if ((some_emission || field) && !part)
+    given("GL_EMISSION", "_emission", "emission", m.emission, Quantity::emission, ColorMaterial::emission);
   add_shininess(scene, m, path, list);
-  if (follows_color(scene)) add_color(scene, m, path, list);
+  if (follows_color(scene) && !field) add_color(scene, m, path, list);
   if (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0)) list.calls[first].notes.push_back(needs_rays_note);
   for (std::size_t i = first; i < list.calls.size(); ++i) list.calls[i].object = object;
 }
@@ -114,13 +135,15 @@ void add_transform(const Object& o, int object, GlCallList& list) {
 
 void add_object_calls(const Scene& scene, GlCallList& list) {
   int last = -1;  // whose material's calls stand last
+  const RadiosityField* field = field_of_calls(scene);
   for (int i = 0; i < int(scene.objects.size()); ++i) {
     const Object& o = scene.objects[std::size_t(i)];
     if (!o.visible) continue;
     add_transform(o, i, list);
     // The program's own light model calls glColor, and so changes the reflectance that follows it.
     const bool color_changed = lights_by_hand(scene.mistakes) && follows_color(scene);
-    const bool other = last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material;
+    const bool other = last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material ||
+                       takes_part(field, last) != takes_part(field, i);
     if (other || color_changed) add_material(scene, i, list);
     last = i;
     list.section = GlSection::draw;

@@ -164,8 +164,8 @@ template <class Real>
 class LightBatch {
  public:
   LightBatch() = default;
-  // `lighting` must stay where it is.
-  LightBatch(const EyeLighting<Real>& lighting, const EyeMaterial<Real>& material)
+  // `lighting` must stay where it is. `radiosity`: each point brings light of a solution, and the material no k_a.
+  LightBatch(const EyeLighting<Real>& lighting, const EyeMaterial<Real>& material, bool radiosity = false)
       : lighting_(&lighting), material_(material), parts_(light_parts(lighting, material)) {
     for (const EyeLight<Real>& light : lighting.lights) {
       const LightParts parts = light_parts(light, material);
@@ -173,6 +173,7 @@ class LightBatch {
         lights_.push_back(
             {light, light.ambient * material.k_a, light.diffuse * material.k_d, light.specular * material.k_s, parts});
     }
+    parts_.radiosity = radiosity;
     base_ = Vec3<Real>(Real(0));
     if (parts_.emission) base_ += material.emission;
     if (parts_.ambient) base_ += lighting.ambient * material.k_a;
@@ -184,10 +185,12 @@ class LightBatch {
   bool local_viewer() const { return parts_.specular && lighting_->local_viewer; }
   bool uses_position() const { return parts_.position(lighting_->local_viewer); }
   bool uses_normal() const { return parts_.normal(); }
+  bool uses_radiosity() const { return parts_.radiosity; }
 
   // light_point of eight points. Equal to it but for rounding (about 1e-6 in float). P and N may be anything where they
-  // are not used.
-  void light(const EightVectors<Real>& P, const EightVectors<Real>& N, EightVectors<Real>& I) const {
+  // are not used. `radiosity` of the points: null where it is not used.
+  void light(const EightVectors<Real>& P, const EightVectors<Real>& N, EightVectors<Real>& I,
+             const EightVectors<Real>* radiosity = nullptr) const {
     int odd = !ordinary_;
     if (odd == 0) {
       EightVectors<Real> V;
@@ -196,6 +199,9 @@ class LightBatch {
       else
         for (int i = 0; i < batch_size; ++i) V.x[i] = V.y[i] = Real(0), V.z[i] = Real(1);
       for (int i = 0; i < batch_size; ++i) I.x[i] = base_.x, I.y[i] = base_.y, I.z[i] = base_.z;
+      if (optional(radiosity != nullptr))
+        for (int i = 0; i < batch_size; ++i)
+          I.x[i] += radiosity->x[i], I.y[i] += radiosity->y[i], I.z[i] += radiosity->z[i];
       for (const batch::LightOnMaterial<Real>& on : lights_)
         odd += batch::add_light(on, lighting_->reflection, material_.n, P, N, V, I);
       if (optional(lighting_->clamp))
@@ -203,7 +209,11 @@ class LightBatch {
           I.x[i] = saturate(I.x[i]), I.y[i] = saturate(I.y[i]), I.z[i] = saturate(I.z[i]);
     }
     if (odd == 0) return;
-    for (int i = 0; i < batch_size; ++i) I.set(i, light_point(*lighting_, material_, P.get(i), N.get(i)));
+    EyeMaterial<Real> m = material_;
+    for (int i = 0; i < batch_size; ++i) {
+      if (optional(radiosity != nullptr)) m.emission = material_.emission + radiosity->get(i);
+      I.set(i, light_point(*lighting_, m, P.get(i), N.get(i)));
+    }
   }
 
  private:

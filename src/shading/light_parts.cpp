@@ -12,7 +12,7 @@ bool some(const Vec3<Real>& c) {
 }  // namespace
 
 LightParts& LightParts::operator|=(const LightParts& o) {
-  emission |= o.emission, ambient |= o.ambient;
+  emission |= o.emission, ambient |= o.ambient, radiosity |= o.radiosity;
   light_ambient |= o.light_ambient, diffuse |= o.diffuse, specular |= o.specular;
   point |= o.point, directional |= o.directional, attenuation |= o.attenuation, spot |= o.spot;
   return *this;

@@ -7,6 +7,7 @@ namespace cg {
 
 struct LightParts {
   bool emission = false, ambient = false;  // E, and I_a k_a of the global ambient light
+  bool radiosity = false;                  // a solution that stands in for I_a k_a and the lights' I_ai k_a
   // Some light has I_ai k_a, I_di k_d, I_si k_s.
   bool light_ambient = false, diffuse = false, specular = false;
   // Among the lights that have one of these: their kinds, where the direction to the light counts.

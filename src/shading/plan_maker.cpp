@@ -11,7 +11,10 @@ void DrawnCounts::add(const SurfaceHandle& surface) {
   vertices += surface->positions.size();
   triangles += surface->triangle_count();
   bad_normals += surface->bad_normals;
-  if (std::find(surfaces.begin(), surfaces.end(), surface.get()) == surfaces.end()) surfaces.push_back(surface.get());
+  if (std::find(surfaces.begin(), surfaces.end(), surface.get()) != surfaces.end()) return;
+  surfaces.push_back(surface.get());
+  lit_vertices += surface->radiosity.size();
+  parts.radiosity = parts.radiosity || !surface->radiosity.empty();
 }
 
 std::size_t DrawnCounts::surface_vertices() const {
@@ -57,8 +60,10 @@ void add_surfaces(const DrawnCounts& n, PlanMaker& p) {
         bytes);
 }
 
-void add_light_parts(const Scene& scene, const LightParts& parts, PlanMaker& p) {
+void add_light_parts(const Scene& scene, const DrawnCounts& n, const AmbientReason& ambient, PlanMaker& p,
+                     std::size_t a_lit_vertex) {
   const Shading& s = scene.shading;
+  const LightParts& parts = n.parts;
   const auto part = [&](const char* id, Words name, bool needed, Words why, Words why_not) {
     p.add({id, name, PassKind::part}, needed, why, why_not);
   };
@@ -66,7 +71,11 @@ void add_light_parts(const Scene& scene, const LightParts& parts, PlanMaker& p) 
        {"no material emits light", "発光する素材がない"});
   part("ambient", {"Ambient term", "環境光の項"}, parts.ambient || parts.light_ambient,
        {"k_a and an ambient light are not 0", "k_a と環境光が 0 でない"},
-       {"k_a or the ambient lights are 0", "k_a か環境光が 0"});
+       parts.radiosity ? Words{"the radiosity solution stands in for it", "ラジオシティの解が代わりになる"}
+                       : Words{"k_a or the ambient lights are 0", "k_a か環境光が 0"});
+  const Text no_part = Words{"no object that is drawn takes part in the solution", "解に加わる物体が描かれていない"};
+  p.add({"radiosity", {"Radiosity of the vertices", "頂点のラジオシティ"}, PassKind::part}, parts.radiosity,
+        ambient.text, ambient.drawn ? no_part : ambient.text, n.lit_vertices * a_lit_vertex);
   part("diffuse", {"Diffuse term", "拡散反射の項"}, parts.diffuse,
        {"a material and a light have a diffuse colour", "拡散反射のある素材と光源がある"},
        {"k_d or the lights' diffuse colours are 0", "k_d か光源の拡散光成分が 0"});
@@ -112,7 +121,8 @@ std::vector<const char*> part_ids(const LightParts& parts, bool local_viewer, bo
   return ids;
 }
 
-void add_general_notes(const Scene& scene, const DrawnCounts& n, PlanMaker& p) {
+void add_general_notes(const Scene& scene, const DrawnCounts& n, const AmbientReason& ambient, PlanMaker& p) {
+  if (scene.shading.ambient_source == AmbientSource::radiosity && !ambient.drawn) p.note(ambient.text);
   if (n.unplaced > 0)
     p.note(counted(n.unplaced, " objects are too large or too far for the picture's numbers: left out",
                    " 個の物体は大きすぎるか遠すぎて描けないので省く"));

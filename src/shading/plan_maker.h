@@ -3,6 +3,7 @@
 #pragma once
 #include "scene/plan.h"
 #include "scene/scene.h"
+#include "shading/ambient_term.h"
 #include "shading/light_parts.h"
 #include "shading/surface.h"
 
@@ -15,6 +16,7 @@ struct DrawnCounts {
   std::size_t unplaced = 0;              // objects that are left out: their matrices are not finite in float
   std::vector<const Surface*> surfaces;  // each once
   LightParts parts;
+  std::size_t lit_vertices = 0;  // of the surfaces, those that bring light of a radiosity solution
 
   void add(const SurfaceHandle& surface);
   // Of the surfaces, each once.
@@ -49,11 +51,13 @@ Text asked_for(bool wanted);
 
 // The surfaces: made from the meshes once for each rule for normals.
 void add_surfaces(const DrawnCounts& n, PlanMaker& p);
-// Each term of the light model and each thing that costs more where it is used.
-void add_light_parts(const Scene& scene, const LightParts& parts, PlanMaker& p);
+// Each term of the light model and each thing that costs more where it is used. `a_lit_vertex`: the bytes that a vertex
+// with light of a radiosity solution takes.
+void add_light_parts(const Scene& scene, const DrawnCounts& n, const AmbientReason& ambient, PlanMaker& p,
+                     std::size_t a_lit_vertex = sizeof(glm::vec3));
 // The ids of those lines, for a technique to record what it really uses.
 std::vector<const char*> part_ids(const LightParts& parts, bool local_viewer, bool two_sided, bool clamp);
 // What every technique that does not follow rays has to say.
-void add_general_notes(const Scene& scene, const DrawnCounts& n, PlanMaker& p);
+void add_general_notes(const Scene& scene, const DrawnCounts& n, const AmbientReason& ambient, PlanMaker& p);
 
 }  // namespace cg

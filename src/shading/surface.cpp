@@ -24,9 +24,12 @@ glm::vec3 in_float(const glm::dvec3& n) {
   return glm::vec3(length > 1e30 || length < 1e-30 ? unit(n) : n);
 }
 
+glm::vec3 within_range(const glm::vec3& v) { return glm::clamp(v, glm::vec3(-1e30f), glm::vec3(1e30f)); }
+
 }  // namespace
 
-SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle) {
+SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle,
+                           const std::vector<glm::vec3>* radiosity) {
   const double begin = thread_cpu_ms();
   const auto surface = std::make_shared<Surface>();
   choose_frame(mesh, *surface);
@@ -34,14 +37,16 @@ SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angl
   const std::vector<glm::dvec3> normals = corner_normals(mesh, point, rule, crease_angle);
 
   const MeshData& data = mesh.data();
-  Numbering vertices(point.size());
+  Numbering vertices(point.size()), lit_vertices(radiosity ? point.size() : 0);
   std::vector<std::uint32_t> vertex(data.corners.size(), no_index);
   const auto vertex_of = [&](std::uint32_t c) {
     if (vertex[c] != no_index) return vertex[c];
     const glm::vec3 normal = in_float(normals[c]);
     const std::uint32_t next = std::uint32_t(surface->positions.size());
     vertex[c] = rule == NormalRule::face ? next : vertices(BitsAndIndex(normal, point[data.corners[c].position]));
+    if (radiosity && rule != NormalRule::face) vertex[c] = lit_vertices(BitsAndIndex((*radiosity)[c], vertex[c]));
     if (vertex[c] == next) {
+      if (radiosity) surface->radiosity.push_back(within_range((*radiosity)[c]));
       surface->positions.emplace_back((data.positions[data.corners[c].position] - surface->centre) / surface->radius);
       surface->normals.push_back(normal);
       surface->bad_normals += normal == glm::vec3(0);
@@ -54,7 +59,7 @@ SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angl
     for (const std::uint32_t c : mesh.triangles()[t].corner) surface->indices.push_back(vertex_of(c));
     surface->triangle.push_back(std::uint32_t(t));
   }
-  surface->positions.shrink_to_fit(), surface->normals.shrink_to_fit();
+  surface->positions.shrink_to_fit(), surface->normals.shrink_to_fit(), surface->radiosity.shrink_to_fit();
   surface->made_ms = thread_cpu_ms() - begin;
   return surface;
 }

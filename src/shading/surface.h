@@ -18,14 +18,16 @@ struct Surface {
   glm::dvec3 centre{0};
   double radius = 1;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;       // one a position; unit, but a file's own are as the file has them
+  std::vector<glm::vec3> normals;  // one a position; unit, but a file's own are as the file has them
+  // One a position where a radiosity solution is drawn (shading/ambient_term.h), else empty. Within +-1e30.
+  std::vector<glm::vec3> radiosity;
   std::vector<std::uint32_t> indices;   // three a triangle, counter-clockwise, provoking vertex last
   std::vector<std::uint32_t> triangle;  // Mesh::triangles() index of each; degenerate ones are left out
   std::size_t bad_normals = 0;          // zero: such vertices get no diffuse and no specular term
 
   double made_ms = 0;  // CPU time of the thread that made it
 
-  // Of the memory that it holds.
+  // Of the memory that it holds, but for radiosity.
   std::size_t bytes() const {
     return (positions.capacity() + normals.capacity()) * sizeof(glm::vec3) +
            (indices.capacity() + triangle.capacity()) * sizeof(std::uint32_t);
@@ -39,7 +41,9 @@ using SurfaceHandle = std::shared_ptr<const Surface>;
 
 // `rule` and `crease_angle` (degrees, 180 smooths all) as in Shading; flat shading asks for NormalRule::face,
 // whose vertices are not shared between faces. `file` falls back to `angle` for corners without a normal.
-SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle);
+// `radiosity`: null, or one value a corner; a vertex is split where those of its corners differ.
+SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle,
+                           const std::vector<glm::vec3>* radiosity = nullptr);
 
 // The rule that the scene's shading comes to: flat shading has the faces' normals, whatever `normals` says.
 inline NormalRule normal_rule(const Shading& s) { return s.mode == ShadingMode::flat ? NormalRule::face : s.normals; }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/radiosity_field.h"
 #include "shading/surface.h"
 
 namespace cg {
@@ -19,19 +20,15 @@ class SurfaceCache {
 
   // As make_surface. Who asks while another thread makes the same surface waits for it; others do not.
   SurfaceHandle get(const MeshHandle& mesh, NormalRule rule, double crease_angle) {
-    const Key key{rule, rule == NormalRule::face ? 180 : crease_angle};  // flat faces have no crease
-    std::promise<SurfaceHandle> promise;
-    if (auto made = find_or_add(mesh, key, promise)) return made->get();
-    try {
-      SurfaceHandle surface = make_surface(*mesh, key.rule, key.crease_angle);
-      promise.set_value(surface);
-      return surface;
-    } catch (...) {
-      promise.set_exception(std::current_exception());
-      const std::lock_guard lock(mutex_);
-      std::erase_if(meshes_[place_of(mesh)], [&](const Entry& e) { return e.key == key; });
-      throw;
-    }
+    return get({mesh, mesh.get()}, rule, crease_angle,
+               [&](const Key& key) { return make_surface(*mesh, key.rule, key.crease_angle); });
+  }
+  // The same of the elements of an object, which takes part in the solution.
+  SurfaceHandle get(const RadiosityHandle& field, std::size_t object, NormalRule rule, double crease_angle) {
+    const ObjectRadiosity& elements = field->objects[object];
+    return get({field, &elements}, rule, crease_angle, [&](const Key& key) {
+      return make_surface(*elements.mesh, key.rule, key.crease_angle, &elements.corners);
+    });
   }
 
  private:
@@ -44,22 +41,39 @@ class SurfaceCache {
     Key key;
     std::shared_future<SurfaceHandle> surface;
   };
-  // A mesh that may be gone. The parts of a model may have one owner, the model, so the address counts as well.
+  // A mesh, or an object's radiosity, that may be gone. The parts of a model may have one owner, the model, so the
+  // address counts as well.
   struct Place {
-    std::weak_ptr<const Mesh> owner;
-    const Mesh* mesh;
+    std::weak_ptr<const void> owner;
+    const void* address;
     bool operator<(const Place& other) const {
       if (owner.owner_before(other.owner)) return true;
-      return !other.owner.owner_before(owner) && std::less<>()(mesh, other.mesh);
+      return !other.owner.owner_before(owner) && std::less<>()(address, other.address);
     }
   };
-  static Place place_of(const MeshHandle& mesh) { return {mesh, mesh.get()}; }
+
+  template <class Make>
+  SurfaceHandle get(const Place& place, NormalRule rule, double crease_angle, const Make& make) {
+    const Key key{rule, rule == NormalRule::face ? 180 : crease_angle};  // flat faces have no crease
+    std::promise<SurfaceHandle> promise;
+    if (auto made = find_or_add(place, key, promise)) return made->get();
+    try {
+      SurfaceHandle surface = make(key);
+      promise.set_value(surface);
+      return surface;
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+      const std::lock_guard lock(mutex_);
+      std::erase_if(places_[place], [&](const Entry& e) { return e.key == key; });
+      throw;
+    }
+  }
 
   // The surface where there is one; else an entry is added that `promise` is to fulfil.
-  std::optional<std::shared_future<SurfaceHandle>> find_or_add(const MeshHandle& mesh, const Key& key,
+  std::optional<std::shared_future<SurfaceHandle>> find_or_add(const Place& place, const Key& key,
                                                                std::promise<SurfaceHandle>& promise) {
     const std::lock_guard lock(mutex_);
-    std::vector<Entry>& entries = meshes_[place_of(mesh)];  // the one used last stands last
+    std::vector<Entry>& entries = places_[place];  // the one used last stands last
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
     if (found != entries.end()) {
       std::rotate(found, found + 1, entries.end());
@@ -67,13 +81,13 @@ class SurfaceCache {
     }
     if (entries.size() >= surfaces_a_mesh_) entries.erase(entries.begin());
     entries.push_back({key, promise.get_future().share()});
-    std::erase_if(meshes_, [](const auto& m) { return m.first.owner.expired(); });
+    std::erase_if(places_, [](const auto& m) { return m.first.owner.expired(); });
     return std::nullopt;
   }
 
   std::mutex mutex_;
   std::size_t surfaces_a_mesh_;
-  std::map<Place, std::vector<Entry>> meshes_;
+  std::map<Place, std::vector<Entry>> places_;
 };
 
 // The program's own: what it holds never changes a result, only when it is computed.

@@ -42,7 +42,17 @@ std::string CFunction::text() const {
   return "\n" + comment + head_ + "\n{\n" + declarations_ + gap + statements_ + "}\n";
 }
 
-CParts::CParts(const Scene& scene, Language language) : scene_(scene), language_(language), calls_(gl_calls(scene)) {}
+namespace {
+
+Scene without_solution(Scene scene) {
+  scene.radiosity_field = nullptr;
+  return scene;
+}
+
+}  // namespace
+
+CParts::CParts(const Scene& scene, Language language)
+    : scene_(scene), language_(language), calls_(gl_calls(without_solution(scene))) {}
 
 std::vector<GlCall> CParts::calls(GlSection section) const {
   std::vector<GlCall> out;
@@ -102,6 +112,13 @@ std::string CParts::prototypes() const {
              std::string(Words{"glClampColor is of OpenGL 3.0", "glClampColor は OpenGL 3.0 の関数"}.in(language_)) +
              " */\n";
   return "";
+}
+
+std::string CParts::radiosity_comment() const {
+  if (scene_.shading.ambient_source == AmbientSource::constant) return "";
+  const Words text{"The scene's ambient term is a radiosity solution; here it is the constant I_a k_a.",
+                   "シーンの環境光項はラジオシティの解だが、ここでは一定の I_a k_a になる。"};
+  return "/* " + std::string(text.in(language_)) + " */\n";
 }
 
 std::string in_comment(std::string_view text) {

@@ -30,7 +30,8 @@ class CFunction {
   Language language_;
 };
 
-// What the exports of C have in common.
+// What the exports of C have in common. The ambient term is the constant one: meshes are exported as they are, without
+// the elements and the light of a radiosity solution.
 class CParts {
  public:
   CParts(const Scene& scene, Language language);
@@ -47,6 +48,9 @@ class CParts {
   bool lights_come_first() const;
   // A function whose declaration is there only where it is asked for: a line before the #include, or none.
   std::string prototypes() const;
+  // Where the scene's ambient term is a radiosity solution, a comment that says that the program draws the constant
+  // one.
+  std::string radiosity_comment() const;
 
  private:
   const Scene& scene_;

@@ -1,6 +1,6 @@
 #include "workbench/isolate.h"
 
-#include "shading/light_model.h"
+#include "shading/ambient_term.h"
 
 namespace cg {
 
@@ -23,6 +23,20 @@ void keep(Material& m, Quantity term, bool emission) {
   if (!emission) m.emission = black;
 }
 
+// The elements stay and their light goes: the other terms are those of the same vertices.
+void leave_radiosity_out(Scene& scene) {
+  const RadiosityField* field = drawn_field(scene);
+  if (!field) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    Object& object = scene.objects[i];
+    if (!field->objects[i].mesh) continue;
+    object.material = material_of(scene, object), object.own_material = true;
+    object.material.k_a = black;
+    object.mesh = field->objects[i].mesh, object.model.clear();  // no name would bring that mesh back
+  }
+  scene.shading.ambient_source = AmbientSource::constant;
+}
+
 }  // namespace
 
 Scene isolated(Scene scene, Quantity term, int light) {
@@ -35,6 +49,7 @@ Scene isolated(Scene scene, Quantity term, int light) {
   edit(scene.material);
   for (Object& object : scene.objects) edit(object.material);
   scene.shading.color_material = ColorMaterial::off;
+  if (light >= 0 || (term != Quantity::none && term != Quantity::ambient)) leave_radiosity_out(scene);
   if (light >= 0) scene.shading.ambient = black;
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (light != all_lights && int(i) != light) scene.lights[i].enabled = false;

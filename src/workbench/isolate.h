@@ -11,6 +11,8 @@ inline constexpr int no_light = -2;    // only the global ambient light
 // leaves every term: of one light, the sum of its terms. Emission belongs to no light: it is there for all_lights and
 // no_light. Without clamping, the pictures of the terms sum to the picture of the scene (where nothing is, the
 // background is in each).
+// A radiosity solution that is drawn is the ambient term, of no light; without it its elements are drawn in place of
+// the objects' meshes.
 Scene isolated(Scene scene, Quantity term, int light = all_lights);
 
 }  // namespace cg

@@ -5,6 +5,7 @@
 
 #include "params/input_error.h"
 #include "raster/pixel_triangle.h"
+#include "shading/ambient_term.h"
 #include "shading/eye_normal.h"
 #include "shading/fixed_function_scene.h"
 #include "shading/gl_calls.h"
@@ -19,16 +20,18 @@ template <class Real>
 class Lit {
  public:
   // `lights`: the scene and camera whose lights they are in eye space; `by_hand`: null, or the mistakes of a light
-  // model of the program's own.
-  Lit(const Scene& scene, const Scene& lights, const Material& material, const Mistakes* by_hand)
+  // model of the program's own. `radiosity`: each point brings light of a solution.
+  Lit(const Scene& scene, const Scene& lights, const EyeMaterial<Real>& material, bool radiosity,
+      const Mistakes* by_hand)
       : lighting_(lighting_in_eye_space<Real>(lights, view_matrix(lights.camera))),
-        material_(eye_material<Real>(material, scene.shading.color_material)),
+        material_(material),
+        radiosity_(radiosity),
         to_world_(glm::inverse(view_matrix(scene.camera))),
         lights_(lights.lights),
         by_hand_(by_hand) {}
 
-  // P and N in eye space.
-  LitPoint at(const Vec3<Real>& P, const Vec3<Real>& N) const {
+  // P and N in eye space; B is the light that the point brings.
+  LitPoint at(const Vec3<Real>& P, const Vec3<Real>& N, const Vec3<Real>& B) const {
     const Vec3<Real> V = towards_viewer(lighting_.local_viewer, P);
     LitPoint out;
     out.P = glm::dvec3(to_world_ * glm::dvec4(glm::dvec3(P), 1));
@@ -36,10 +39,13 @@ class Lit {
     out.normal_length = length;
     out.N = world(direction), out.V = world(glm::dvec3(V));
     add_share(out, "emission", Quantity::emission, nullptr, P, N);
-    add_share(out, "global-ambient", Quantity::ambient, nullptr, P, N);
+    if (radiosity_)
+      out.terms.push_back({"radiosity", Quantity::ambient, -1, glm::dvec3(B)});
+    else
+      add_share(out, "global-ambient", Quantity::ambient, nullptr, P, N);
     for (const EyeLight<Real>& light : lighting_.lights) {
       out.lights.push_back(factors(light, P, N, V));
-      add_share(out, "ambient", Quantity::ambient, &light, P, N);
+      if (!radiosity_) add_share(out, "ambient", Quantity::ambient, &light, P, N);
       add_share(out, "diffuse", Quantity::diffuse, &light, P, N);
       add_share(out, "specular", Quantity::specular, &light, P, N);
     }
@@ -122,6 +128,7 @@ class Lit {
 
   EyeLighting<Real> lighting_;
   EyeMaterial<Real> material_;
+  bool radiosity_;
   glm::dmat4 to_world_;
   std::vector<Light> lights_;
   const Mistakes* by_hand_;
@@ -151,30 +158,33 @@ void light(const Scene& scene, const PixelTriangle& seen, Probe& p) {
   const Object& object = scene.objects[std::size_t(p.object)];
   const Mistakes& mistakes = scene.mistakes;  // of the technique: none but for the fixed function
   const bool by_hand = lights_by_hand(mistakes);
-  const Lit<Real> lit(scene, with_mistaken_lights(scene), material_of(scene, object), by_hand ? &mistakes : nullptr);
+  const Surface& surface = *seen.object.surface;
+  p.radiosity = !surface.radiosity.empty();
+  const auto material = drawn_material<Real>(scene, object, surface);
+  const Lit<Real> lit(scene, with_mistaken_lights(scene), material, p.radiosity, by_hand ? &mistakes : nullptr);
   const auto normals =
       normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
-  const Surface& surface = *seen.object.surface;
   const bool back = p.front == mistakes.swapped_front_face;
   const Real side = scene.shading.two_sided && back && !by_hand ? Real(-1) : Real(1);
   const Mat4<Real> to_eye(seen.object.to_eye);
-  Vec3<Real> P[3], N[3];
+  Vec3<Real> P[3], N[3], B[3]{};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t i = surface.indices[3 * std::size_t(seen.source()) + k];
     P[k] = Vec3<Real>(to_eye * Vec4<Real>(Vec3<Real>(surface.positions[i]), Real(1)));
     N[k] = side * given_normal(mistakes, normals, surface.normals[i]);
+    if (p.radiosity) B[k] = Vec3<Real>(surface.radiosity[i]);
   }
   const Vec3<Real> w = seen.weights<Real>();
   Vec3<Real> normal = interpolate(w, N[0], N[1], N[2]);
   if (normals.normalize) normal = unit(normal);
-  p.here = lit.at(interpolate(w, P[0], P[1], P[2]), normal);
+  p.here = lit.at(interpolate(w, P[0], P[1], P[2]), normal, interpolate(w, B[0], B[1], B[2]));
   if (p.mode == ShadingMode::phong) {
     p.terms = p.here.terms, p.clamped = p.here.clamped;
   } else if (p.mode == ShadingMode::flat) {
-    p.vertices = {lit.at(P[2], N[2])};
+    p.vertices = {lit.at(P[2], N[2], B[2])};
     p.terms = p.vertices[0].terms, p.clamped = p.vertices[0].clamped;
   } else {
-    for (int k = 0; k < 3; ++k) p.vertices.push_back(lit.at(P[k], N[k]));
+    for (int k = 0; k < 3; ++k) p.vertices.push_back(lit.at(P[k], N[k], B[k]));
     interpolate_vertices(p, glm::dvec3(w));
   }
   const EyeMaterial<double> m = eye_material<double>(material_of(scene, object), scene.shading.color_material);

@@ -11,7 +11,8 @@
 namespace cg {
 
 // One addend of the pixel's colour. Named "emission", "global-ambient", "ambient", "diffuse", "specular", or
-// "background" where nothing was drawn.
+// "background" where nothing was drawn; where a radiosity solution is drawn, "radiosity" stands in for the ambient
+// ones.
 struct ProbedTerm {
   std::string_view name;
   Quantity quantity = Quantity::none;
@@ -56,6 +57,7 @@ struct Probe {
   bool clamps = true;
   Material material;  // as it was drawn: colour material applied, n limited where the technique limits it
   glm::dvec3 global_ambient{0};
+  bool radiosity = false;  // a solution stands in for the ambient term: k_a and I_a do nothing here
   // The light model at the pixel, point and normal interpolated. With Phong shading this is what was drawn; with the
   // others it is what Phong shading would draw.
   LitPoint here;

@@ -73,6 +73,7 @@ void add_surface(Tree& out, const Probe& p, const Scene& scene) {
   out.at("shading") = id_of(p.mode);
   out.at("reflection") = id_of(p.reflection);
   out.at("clamp") = p.clamps;
+  if (p.radiosity) out.at("ambient_source") = "radiosity";
   out.at("I_a") = list_of(p.global_ambient);
   out.at("k_a") = list_of(p.material.k_a);
   out.at("k_d") = list_of(p.material.k_d);
@@ -190,6 +191,7 @@ class Report {
     const std::string of = t.light < 0 ? "" : say({", light ", "、光源 "}) + std::to_string(t.light);
     if (t.name == "emission") return "E" + say({", emission", "、自己発光"});
     if (t.name == "global-ambient") return "I_a k_a" + say({", global ambient", "、全体の環境光"});
+    if (t.name == "radiosity") return say({"radiosity, light of other surfaces", "ラジオシティ、他の面からの光"});
     if (t.name == "ambient") return "I_a k_a" + of;
     if (t.name == "diffuse") return "I_d k_d (N·L)" + of;
     if (t.name == "specular")

@@ -19,24 +19,6 @@ Object object_of(MeshHandle mesh, const Transform& fit) {
   return o;
 }
 
-Model file_model(const std::filesystem::path& file) {
-  Model out{file.stem().string(), {}};
-  const cg::Model model = read_model(file);
-  glm::dvec3 low(1e300), high(-1e300);
-  for (const ModelPart& part : model.parts)
-    low = glm::min(low, part.mesh->low()), high = glm::max(high, part.mesh->high());
-  const double radius = std::max(glm::length(high - low) / 2, 1e-300);
-  Transform fit;
-  fit.scale = glm::dvec3(1 / radius);
-  fit.translate = -(low + high) / (2 * radius);
-  for (const ModelPart& part : model.parts) {
-    Object o = object_of(part.mesh, fit);
-    if (part.material) o.own_material = true, o.material = *part.material;
-    out.objects.push_back(o);
-  }
-  return out;
-}
-
 void add_folder(const std::filesystem::path& folder, std::vector<Model>& models) {
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> files;
@@ -66,6 +48,24 @@ Light light_of(LightKind kind) {
 }  // namespace
 
 Model shape_model(const std::string& id) { return {id, {object_of(make_shape(*find_shape(id)), {})}}; }
+
+Model file_model(const std::filesystem::path& file) {
+  Model out{file.stem().string(), {}};
+  const cg::Model model = read_model(file);
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const ModelPart& part : model.parts)
+    low = glm::min(low, part.mesh->low()), high = glm::max(high, part.mesh->high());
+  const double radius = std::max(glm::length(high - low) / 2, 1e-300);
+  Transform fit;
+  fit.scale = glm::dvec3(1 / radius);
+  fit.translate = -(low + high) / (2 * radius);
+  for (const ModelPart& part : model.parts) {
+    Object o = object_of(part.mesh, fit);
+    if (part.material) o.own_material = true, o.material = *part.material;
+    out.objects.push_back(o);
+  }
+  return out;
+}
 
 std::vector<Model> all_models() {
   std::vector<Model> models;

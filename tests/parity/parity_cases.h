@@ -21,6 +21,7 @@ struct Model {
 // Every shape, every models/*.obj, and the meshes of the folder beside the sources, where there is one.
 std::vector<Model> all_models();
 Model shape_model(const std::string& id);
+Model file_model(const std::filesystem::path& file);
 
 // What makes a picture, but for the model.
 struct Setting {

@@ -257,7 +257,7 @@ TEST_F(PlainGlsl, WithoutAnythingThereIsNoOpenGl) {
 // The other end: each thing that the plain scene goes without is there where it is used.
 TEST_F(PlainGlsl, TheFullSceneHasItAll) {
   for (const ShadingMode mode : {ShadingMode::gouraud, ShadingMode::phong}) {
-    Scene scene = full_scene();
+    Scene scene = full_scene_with_radiosity();
     scene.shading.mode = mode;
     draw(scene, view_of(64, 64, true), [&](const GlslRenderer& r, const Frame& frame, const Plan& plan) {
       EXPECT_TRUE(differences(plan, frame).empty());
@@ -275,7 +275,8 @@ TEST_F(PlainGlsl, TheFullSceneHasItAll) {
             "lights[2].spot_cosine", "lights[1].k_1", "lights[0].directional", "lights[0].ambient",
             "lights[2].specular", "surface_to_eye", "normal_to_world", "object"})
         EXPECT_TRUE(uniforms.count(name)) << name;
-      EXPECT_EQ(bytes_of_buffers(), bytes_of(frame, "vertex-upload") + bytes_of(frame, "normal-buffers"));
+      EXPECT_EQ(bytes_of_buffers(), bytes_of(frame, "vertex-upload") + bytes_of(frame, "normal-buffers") +
+                                        bytes_of(frame, "radiosity") / 2);  // the other half is the surface's
       EXPECT_EQ(bytes_of_renderbuffers(),
                 bytes_of(frame, "target") + r.target().bytes().ids + r.target().bytes().normals);
     });

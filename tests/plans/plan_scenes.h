@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/gl/gl_scenes.h"
+#include "tests/radiosity_fields.h"
 
 namespace cg {
 
@@ -36,6 +37,14 @@ inline Scene full_scene() {
   s.lights[2].kind = LightKind::spot;
   s.shading.local_viewer = s.shading.two_sided = true;
   s.camera.position = {0, 0, 1.5};  // something is clipped
+  return s;
+}
+
+// The same, one object with light of a radiosity solution beside the other's constant ambient term.
+inline Scene full_scene_with_radiosity() {
+  Scene s = full_scene();
+  s.radiosity_field = cut_field(s, 1, smooth_light, {1});
+  s.shading.ambient_source = AmbientSource::radiosity;
   return s;
 }
 
@@ -134,6 +143,28 @@ inline std::vector<OddScene> odd_scenes() {
          s.lights[2].direction = {0, 0, 0};
        }},
       {"n over 128", [](Scene& s) { s.material.n = 1000; }},
+      {"radiosity", [](Scene& s) { take_radiosity(s); }},
+      {"radiosity without a solution", [](Scene& s) { s.shading.ambient_source = AmbientSource::radiosity; }},
+      {"radiosity that is not asked for",
+       [](Scene& s) { take_radiosity(s), s.shading.ambient_source = AmbientSource::constant; }},
+      {"radiosity of one object", [](Scene& s) { s = full_scene_with_radiosity(); }},
+      {"radiosity of what is hidden",
+       [](Scene& s) {
+         s.radiosity_field = cut_field(s, 1, smooth_light, {0});
+         s.shading.ambient_source = AmbientSource::radiosity, s.objects[0].visible = false;
+       }},
+      {"radiosity of other shapes", [](Scene& s) { take_radiosity(s), s.objects.pop_back(); }},
+      {"radiosity of another mesh", [](Scene& s) { take_radiosity(s), s.objects[0].mesh = square_mesh(); }},
+      {"radiosity that is NaN", [](Scene& s) { take_radiosity(s, [](auto...) { return glm::vec3(NAN); }); }},
+      {"radiosity alone", [](Scene& s) { take_radiosity(s), s.lights.clear(); }},
+      {"radiosity and colour material",
+       [](Scene& s) { take_radiosity(s), s.shading.color_material = ColorMaterial::ambient_and_diffuse; }},
+      {"radiosity and NaN emission",
+       [](Scene& s) { take_radiosity(s), s.material.emission = glm::dvec3(std::nan("")); }},
+      {"radiosity, mistake: no gate", [](Scene& s) { take_radiosity(s), s.mistakes.no_gate = true; }},
+      {"radiosity, mistake: no colour material",
+       [](Scene& s) { take_radiosity(s), s.mistakes.no_color_material = true; }},
+      {"radiosity, mistake: flipped normals", [](Scene& s) { take_radiosity(s), s.mistakes.flipped_normals = true; }},
       {"mistake: no GL_NORMALIZE", mistake(&Mistakes::no_normalize)},
       {"mistake: no gate", mistake(&Mistakes::no_gate)},
       {"mistake: long L", mistake(&Mistakes::long_light_vector)},

@@ -106,7 +106,7 @@ TEST_P(Plans, WhatIsNotNeededAnyMoreIsGivenBack) {
 TEST_P(Plans, TheFullSceneUsesEverything) {
   std::vector<std::string> unused;
   for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong}) {
-    Scene scene = full_scene();
+    Scene scene = full_scene_with_radiosity();
     scene.shading.mode = mode;
     scene.shading.color_material = ColorMaterial::ambient_and_diffuse;
     scene.mistakes.flipped_normals = mode == ShadingMode::flat;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "params/input_error.h"
+#include "tests/radiosity_fields.h"
 #include "tests/workbench/random_scene.h"
 #include "workbench/export.h"
 #include "workbench/import.h"
@@ -72,6 +73,21 @@ TEST(RoundTrip, EveryMistake) {
     expect_round_trip(s);
     mistake = false;
   }
+}
+
+// A program has no elements: it says so, and comes back as the scene that it was exported from.
+TEST(RoundTrip, ARadiositySolutionIsSolvedAgain) {
+  Scene s = open_model("cube");
+  const std::string constant = export_text(s, ExportFormat::glut);
+  EXPECT_EQ(constant.find("radiosity"), std::string::npos);
+  s.shading.ambient_source = AmbientSource::radiosity;
+  s.radiosity.resolution = 64;
+  expect_round_trip(s);
+  const std::string text = export_text(s, ExportFormat::glut);
+  EXPECT_NE(text.find("here it is the constant I_a k_a"), std::string::npos);
+  take_radiosity(s);
+  EXPECT_EQ(export_text(s, ExportFormat::glut), text);
+  EXPECT_EQ(import_c(text, "a.c").scene.radiosity, s.radiosity);
 }
 
 TEST(RoundTrip, AnEditedNumberStays) {

@@ -6,6 +6,9 @@ in vec3 P;
 #ifdef NORMAL
 in vec3 N;
 #endif
+#ifdef RADIOSITY
+in vec3 B;
+#endif
 #else
 #ifdef FLAT
 flat in vec3 front;
@@ -46,7 +49,11 @@ void main() {
   if (!gl_FrontFacing) facing = -facing;
 #endif
 #endif
+#ifdef RADIOSITY
+  colour = vec4(light_point(at, facing, B), 1.0);
+#else
   colour = vec4(light_point(at, facing), 1.0);
+#endif
 #else
 #ifdef TWO_SIDED
   colour = vec4(gl_FrontFacing ? front : back, 1.0);

@@ -9,6 +9,9 @@ uniform mat4 surface_to_eye;
 #ifdef VERTEX_NORMAL
 in vec3 normal;
 #endif
+#ifdef RADIOSITY
+in vec3 radiosity;
+#endif
 #ifdef NORMAL
 uniform mat3 normal_to_eye;
 
@@ -27,6 +30,9 @@ out vec3 P;
 #endif
 #ifdef NORMAL
 out vec3 N;
+#endif
+#ifdef RADIOSITY
+out vec3 B;
 #endif
 #else
 #ifdef FLAT
@@ -59,10 +65,21 @@ void main() {
 #ifdef NORMAL
   N = eye_normal(normal);
 #endif
+#ifdef RADIOSITY
+#ifdef PHONG
+  B = radiosity;
+#else
+  front = light_point(P, N, radiosity);
+#ifdef TWO_SIDED
+  back = light_point(P, -N, radiosity);
+#endif
+#endif
+#else
 #ifndef PHONG
   front = light_point(P, N);
 #ifdef TWO_SIDED
   back = light_point(P, -N);
+#endif
 #endif
 #endif
 #ifdef NORMALS

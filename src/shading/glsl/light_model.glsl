@@ -139,13 +139,21 @@ LightFactors light_factors(EyeLight light, vec3 P, vec3 N, vec3 V) {
 #endif
 #endif
 
+#ifdef RADIOSITY
+// B: light of a radiosity solution, in place of I_a k_a and I_ai k_a.
+vec3 light_point(vec3 P, vec3 N, vec3 B) {
+#else
 vec3 light_point(vec3 P, vec3 N) {
+#endif
   vec3 I = vec3(0.0);
 #ifdef EMISSION
   I += material.emission;
 #endif
 #ifdef AMBIENT
   I += ambient * material.k_a;
+#endif
+#ifdef RADIOSITY
+  I += B;
 #endif
 #ifdef LIT
   vec3 V = vec3(0.0, 0.0, 1.0);  // the unit vector towards the viewer
