@@ -25,14 +25,16 @@ template <>
 inline constexpr std::array<Name, 2> names_of<Placement>{
     {{"grid", {"Uniform grid", "等間隔"}}, {"gauss", {"Gauss points", "ガウス点"}}}};
 
-// What a pixel of the hemicube counts. Only the first is right; the others keep a row's sum near 1 and miss each
-// factor.
-enum class PixelWeight { delta_form_factor, unweighted, solid_angle, r_squared };
+// What a pixel of the hemicube counts: the lecture's delta form factor at its centre, or the same integrated over the
+// pixel, so that all of them sum to exactly 1. The others are wrong: they keep a row's sum at 1 and miss each factor.
+enum class PixelWeight { delta_form_factor, integrated, unweighted, solid_angle, r_squared };
 template <>
-inline constexpr std::array<Name, 4> names_of<PixelWeight>{{{"delta-form-factor", {"ΔF (right)", "ΔF（正しい）"}},
-                                                            {"unweighted", {"All pixels alike", "どの画素も同じ"}},
-                                                            {"solid-angle", {"Solid angle only", "立体角だけ"}},
-                                                            {"r-squared", {"r² for r⁴", "r⁴ でなく r²"}}}};
+inline constexpr std::array<Name, 5> names_of<PixelWeight>{
+    {{"delta-form-factor", {"ΔF (right)", "ΔF（正しい）"}},
+     {"integrated", {"ΔF over the pixel (right)", "画素内で積分した ΔF（正しい）"}},
+     {"unweighted", {"All pixels alike", "どの画素も同じ"}},
+     {"solid-angle", {"Solid angle only", "立体角だけ"}},
+     {"r-squared", {"r² for r⁴", "r⁴ でなく r²"}}}};
 
 enum class RadiositySolver { jacobi, gauss_seidel, southwell, progressive, lu };
 template <>
@@ -125,12 +127,16 @@ inline constexpr auto fields_of<Radiosity> = std::tuple{
                              .label = {"Rays a patch", "パッチごとの光線数"},
                              .help = {"Of the Monte Carlo form factors; the error falls as one over the root of it.",
                                       "モンテカルロ法で使う。誤差は光線数の平方根に反比例する。"}}),
-    field(&Radiosity::weight,
-          {.name = "weight",
-           .symbol = "ΔF",
-           .label = {"A pixel counts", "画素の重み"},
-           .help = {"Broken on purpose: the other weights keep the sum of a row near 1 and miss every factor.",
-                    "わざと間違える：ほかの重みでは行の和は 1 に近いのに、係数は全部外れる。"}}),
+    field(
+        &Radiosity::weight,
+        {.name = "weight",
+         .symbol = "ΔF",
+         .label = {"A pixel counts", "画素の重み"},
+         .help =
+             {"ΔF at the pixel's centre, or integrated over the pixel. The others are broken on purpose: they keep the "
+              "sum of a row near 1 and miss every factor.",
+              "画素の中心での ΔF か、画素内で積分した ΔF。ほかの重みはわざと間違えたもので、"
+              "行の和は 1 に近いのに係数は全部外れる。"}}),
     field(&Radiosity::normalise,
           {.name = "normalise",
            .label = {"Normalise rows", "行の和を 1 にする"},
