@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "params/input_error.h"
 #include "radiosity/patches.h"
+#include "scene/item_drawer.h"
 
 namespace cg {
 
@@ -30,8 +32,14 @@ struct FormFactorMethod {
   std::function<FormFactorRow(const Patch& part, std::uint32_t own, const Progress& progress)> part_row;
 };
 
-// By options.form_factors; uses item_buffer, resolution, samples, placement, rays, weight and normalise. The patches
-// must outlive it.
-FormFactorMethod form_factor_method(const Patches& patches, const Radiosity& options);
+// By options.form_factors; uses item_buffer, resolution, samples, placement, rays, weight and normalise. `gl` draws the
+// item buffers where item_buffer says so. The patches must outlive it. A surface is seen from its front; its back takes
+// light and gives none. Throws InputError where OpenGL is asked for and `gl` is null.
+FormFactorMethod form_factor_method(const Patches& patches, const Radiosity& options, const MakeDrawItems& gl = {});
+
+// The patches as what is drawn into item buffers.
+std::vector<ItemPolygon> item_polygons(const Patches& patches);
+// What is thrown where OpenGL is asked for and not there.
+InputError no_opengl_for_hemicubes();
 
 }  // namespace cg
