@@ -124,20 +124,19 @@ BundledScene sphere_interior() {
           "a sphere of 1 m seen from inside, its lower half a light",
           {{"lower", "light", inside_of_sphere(sphere, true)}, {"upper", "grey", inside_of_sphere(sphere, false)}},
           {grey("light", 0.5, 1), grey("grey", 0.5)},
-          {0, 0.1, 0.9},
-          {0, 0, -1},
-          80};
+          {0, 0.3, 0.85},
+          {0, -0.1, -1},
+          90};
 }
 
-// The wall with the window is in four pieces around it, of which two are as high as the wall: their neighbours' edges
-// end inside theirs.
+// The wall with the window is cut from its corners to the window's, so that no edge ends inside another.
 BundledScene furnished_room() {
   const glm::dvec3 low(-2.5, 0, -2), high(2.5, 2.7, 2);
   const auto w = walls(low, high);
   const double sill = 0.9, lintel = 2.3, from = -1.3, to = 0.7, x = -2.5;  // the window in the left wall
-  const auto pane = [&](double y0, double y1, double z0, double z1) {
-    return rectangle({x, y0, z0}, {0, y1 - y0, 0}, {0, 0, z1 - z0});
-  };
+  const Polygon outer = w[left_wall], window = rectangle({x, sill, from}, {0, lintel - sill, 0}, {0, 0, to - from});
+  std::vector<Polygon> around;
+  for (std::size_t i = 0; i < 4; ++i) around.push_back({outer[i], outer[(i + 1) % 4], window[(i + 1) % 4], window[i]});
   std::vector<Polygon> table, chair, shelf, bed;
   add_box(table, {-0.7, 0.7, -0.5}, {0.7, 0.75, 0.3});
   for (const double tx : {-0.65, 0.59})
@@ -152,22 +151,23 @@ BundledScene furnished_room() {
       {"plaster", {0.8, 0.79, 0.76}, glm::dvec3(0)}, {"boards", {0.45, 0.28, 0.15}, glm::dvec3(0)},
       {"blue", {0.12, 0.25, 0.55}, glm::dvec3(0)},   {"wood", {0.6, 0.42, 0.24}, glm::dvec3(0)},
       {"red", {0.6, 0.1, 0.08}, glm::dvec3(0)},      {"sky", {0.1, 0.1, 0.1}, {6, 7, 8}}};
-  return {
-      "furnished-room",
-      "a room of 5 m x 2.7 m x 4 m with a window, a table, a chair, a shelf and a bed",
-      {{"floor", "boards", mesh_of({w[floor_wall]})},
-       {"ceiling", "plaster", mesh_of({w[ceiling_wall]})},
-       {"back-wall", "plaster", mesh_of({w[back_wall]})},
-       {"front-wall", "plaster", mesh_of({w[front_wall]})},
-       {"right-wall", "blue", mesh_of({w[right_wall]})},
-       {"window-wall", "plaster",
-        mesh_of({pane(0, 2.7, -2, from), pane(0, sill, from, to), pane(lintel, 2.7, from, to), pane(0, 2.7, to, 2)})},
-       {"window", "sky", mesh_of({pane(sill, lintel, from, to)})},
-       {"table", "wood", mesh_of(table)},
-       {"chair", "wood", mesh_of(chair)},
-       {"shelf", "wood", mesh_of(shelf)},
-       {"bed", "red", mesh_of(bed)}},
-      materials};
+  return {"furnished-room",
+          "a room of 5 m x 2.7 m x 4 m with a window, a table, a chair, a shelf and a bed",
+          {{"floor", "boards", mesh_of({w[floor_wall]})},
+           {"ceiling", "plaster", mesh_of({w[ceiling_wall]})},
+           {"back-wall", "plaster", mesh_of({w[back_wall]})},
+           {"front-wall", "plaster", mesh_of({w[front_wall]})},
+           {"right-wall", "blue", mesh_of({w[right_wall]})},
+           {"window-wall", "plaster", mesh_of(around)},
+           {"window", "sky", mesh_of({window})},
+           {"table", "wood", mesh_of(table)},
+           {"chair", "wood", mesh_of(chair)},
+           {"shelf", "wood", mesh_of(shelf)},
+           {"bed", "red", mesh_of(bed)}},
+          materials,
+          {0.62, 0.12, 0.53},
+          {-0.45, -0.12, -0.3},
+          65};
 }
 
 // Walls of 16 strips each, as long as the corridor: a patch is many times longer than it is wide.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "params/file.h"
@@ -52,6 +53,23 @@ TEST(Preset, HoldsOnlyWhatDiffers) {
   scene.lights.clear();
   scene.objects.clear();
   EXPECT_EQ(to_json(preset_of(scene), 0), R"({"schema":1,"lights":{"0":null},"material":{"k_d":[1,0,0]}})");
+}
+
+// Those beside the models look into them: no lamp, light from the surfaces alone.
+TEST(Preset, TheBundledOnesOpen) {
+  std::size_t found = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(SHADEBENCH_SOURCE_DIR) / "models")) {
+    if (entry.path().extension() != ".json") continue;
+    const Scene scene = open_scene(entry.path().string());
+    EXPECT_EQ(scene.shading.ambient_source, AmbientSource::radiosity) << entry.path();
+    EXPECT_FALSE(scene.lights[0].enabled);
+    bool emits = false;
+    for (const Object& object : scene.objects) emits = emits || object.material.emission != glm::dvec3(0);
+    EXPECT_TRUE(emits) << entry.path();
+    ++found;
+  }
+  EXPECT_EQ(found, 7u);
 }
 
 TEST(Preset, AddsAndTakesAwayItems) {
