@@ -153,8 +153,9 @@ inline constexpr auto fields_of<Radiosity> = std::tuple{
            .slider = Range{1e-10, 1e-1},
            .scale = Scale::logarithmic,
            .label = {"Residual", "残差"},
-           .help = {"It stops where the residual over 1 − ρ_max is below this: then B is no further off than that.",
-                    "残差 ÷（1 − ρ の最大値）がこれを下回ると止まる。B の誤差はこの値以下になる。"}}),
+           .help = {"It stops where the residual over 1 − ρ_max is below this share of the brightest patch: then no B "
+                    "is further off than that.",
+                    "残差 ÷（1 − ρ の最大値）が B の最大値のこの割合を下回ると止まる。B の誤差はそれ以下になる。"}}),
     field(&Radiosity::memory, {.name = "memory",
                                .unit = "MiB",
                                .range = {1, 1e6},
