@@ -61,8 +61,9 @@ double lambert_sum_of_small(const glm::dvec3& point, const glm::dvec3& normal, P
     const glm::dvec3& q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
     const glm::dvec3 d = p - middle, e = q - p, turn = glm::cross(m + d, e);
     const double a = excess(d), b = excess(q - middle);
-    const double s2 = glm::dot(turn, turn) / (m2 * m2 * (1 + a) * (1 + b));
-    const double lengths = std::expm1(-0.5 * (std::log1p(a) + std::log1p(b))), angle = angle_over_sine_less_1(s2);
+    const double square = (1 + a) * (1 + b), root = std::sqrt(square);  // |v_i| |v_i+1|/m2
+    const double angle = angle_over_sine_less_1(glm::dot(turn, turn) / (m2 * m2 * square));
+    const double lengths = -(a + b + a * b) / (root * (1 + root));  // 1/root - 1
     const double x = lengths + angle + lengths * angle;
     sum += x * glm::dot(normal, glm::cross(m, e)) + (1 + x) * glm::dot(normal, glm::cross(d, e));
   }
