@@ -97,6 +97,32 @@ TEST_P(Extremes, LengthsOfAFilesNormals) {
   EXPECT_TRUE(noted);
 }
 
+// I = E + I_a k_a, a constant: no interpolation, so to rounding.
+TEST_P(Extremes, WithoutLightOnlyAmbientAndEmission) {
+  Scene scene = scene_with(sphere_mesh());
+  scene.shading.ambient = {0.3, 0.5, 0.7}, scene.material.k_a = {0.9, 0.4, 0.2},
+  scene.material.emission = {0.1, 0, 0.3};
+  const glm::dvec3 right = scene.material.emission + scene.shading.ambient * scene.material.k_a;
+  const std::vector<Technique> techniques = gl_techniques();
+  const Technique& t = find(techniques, GetParam());
+  for (const bool switched_off : {false, true})
+    for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong}) {
+      scene.lights.assign(switched_off ? 9 : 0, Light{});
+      for (Light& light : scene.lights) light.enabled = false;
+      scene.shading.mode = mode;
+      if (t.unsupported(scene)) continue;
+      const Frame frame = draw(t, scene, view_of(64, 64, true));
+      std::size_t covered = 0;
+      for (std::size_t i = 0; i < frame.covered.pixels().size(); ++i) {
+        if (!frame.covered.pixels()[i]) continue;
+        ++covered;
+        const glm::dvec3 off = glm::abs(glm::dvec3(frame.colour.pixels()[i]) - right);
+        ASSERT_LT(std::max({off.r, off.g, off.b}), 1e-6) << "mode " << int(mode);
+      }
+      EXPECT_GT(covered, 500u);
+    }
+}
+
 TEST_P(Extremes, WhatIsInfiniteBecomesZeroAndIsCounted) {
   Scene scene = scene_with(sphere_mesh());
   scene.shading.clamp = false;
