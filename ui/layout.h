@@ -30,6 +30,7 @@ void draw_challenge_panel(App& app);
 void draw_plan_panel(App& app);
 void draw_mesh_panel(App& app);
 void draw_trade_panel(App& app);
+bool draw_large_trade(App& app, ImVec2 size);  // its plot in place of the panes, where that was chosen
 void draw_extremes_panel(App& app);
 // On top of all: what was to be said, the list of shortcuts, the dialogues.
 void draw_toasts(App& app, ImVec2 size);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "ui/app.h"
+#include "ui/layout.h"
 #include "ui/pane.h"
 #include "workbench/camera_control.h"
 #include "workbench/isolate.h"
@@ -61,6 +62,7 @@ Panes::Panes(const App& app)
 }
 
 void draw_panes(App& app, ImVec2 size) {
+  if (draw_large_trade(app, size)) return;
   if (!app.panes) app.panes = std::make_shared<Panes>(app);
   app.panes->draw(app, size);
 }

@@ -62,6 +62,8 @@ class TradeDesk {
 
   std::map<std::string, std::size_t> chosen;  // by knob: the point that was clicked
   bool against_time = true;                   // which of the two plots is seen
+  bool large = false;                         // in place of the panes
+  int pointed = -1;                           // the point under the mouse in the large plot
   PlotView speed_view, convergence_view;      // as they are laid out
 
  private:

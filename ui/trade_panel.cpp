@@ -162,6 +162,19 @@ void choose_plot(App& app, const Knob& knob, bool& against_time) {
   ImGui::PopID();
 }
 
+// In the panel, or large in place of the pictures.
+void choose_size(App& app, TradeDesk& desk) {
+  const std::string_view label =
+      desk.large ? Words{"Pictures", "絵に戻る"}.in(app.language()) : Words{"Large", "大きく"}.in(app.language());
+  const float width = tab_width(app, label), room = ImGui::GetContentRegionMax().x;
+  ImGui::SameLine(0, app.look.px(3));
+  if (ImGui::GetCursorPosX() + width > room)
+    ImGui::NewLine();
+  else
+    ImGui::SetCursorPosX(room - width);
+  if (tab(app, "large", label, desk.large)) desk.large = !desk.large;
+}
+
 void draw_verdicts(App& app, const Trade& trade) {
   const Language l = app.language();
   const Knob& knob = *trade.knob;
@@ -186,21 +199,35 @@ void draw_conditions(App& app, const Trade& trade) {
   if (!trade.machine.renderer.empty()) small_text(app, trade.machine.renderer, app.look.palette.dim);
 }
 
+int chosen_point(const TradeDesk& desk, const Knob& knob) {
+  const auto found = desk.chosen.find(std::string(knob.id));
+  return found == desk.chosen.end() ? -1 : int(found->second);
+}
+
+// The point under the mouse, or -1; a click takes it.
+int plot_to_point_at(App& app, TradeDesk& desk, const Knob& knob, const MeasuredTrade& measured, ImVec2 size) {
+  PlotView& view = desk.against_time ? desk.speed_view : desk.convergence_view;
+  const auto& plot = desk.against_time ? measured.speed : measured.convergence;
+  const PlotMouse mouse = draw_plot(app, view, "plot", plot, size, chosen_point(desk, knob));
+  if (mouse.hovered < 0) return -1;
+  const int point = int(plot->points[std::size_t(mouse.hovered)].index);
+  if (mouse.clicked) {
+    desk.chosen[std::string(knob.id)] = std::size_t(point);
+    take_setting(app, measured, std::size_t(point));
+  }
+  return point;
+}
+
 void draw_measured(App& app, TradeDesk& desk, const Knob& knob, const std::shared_ptr<const MeasuredTrade>& measured) {
   choose_plot(app, knob, desk.against_time);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const auto found = desk.chosen.find(std::string(knob.id));
-  const int chosen = found == desk.chosen.end() ? -1 : int(found->second);
-  const float height = std::clamp(1.12f * room.x, app.look.px(240), app.look.px(480));
-  PlotView& view = desk.against_time ? desk.speed_view : desk.convergence_view;
-  const auto& plot = desk.against_time ? measured->speed : measured->convergence;
-  const PlotMouse mouse = draw_plot(app, view, "plot", plot, {room.x, height}, chosen);
-  int focus = chosen;
-  if (mouse.hovered >= 0) focus = int(plot->points[std::size_t(mouse.hovered)].index);
-  if (mouse.clicked) {
-    desk.chosen[std::string(knob.id)] = std::size_t(focus);
-    take_setting(app, *measured, std::size_t(focus));
+  choose_size(app, desk);
+  int focus = desk.pointed;
+  if (!desk.large) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = std::clamp(1.12f * width, app.look.px(240), app.look.px(480));
+    focus = plot_to_point_at(app, desk, knob, *measured, {width, height});
   }
+  if (focus < 0) focus = chosen_point(desk, knob);
   if (focus >= 0 && focus < int(measured->trade.points.size()))
     draw_point(app, desk, *measured, std::size_t(focus));
   else
@@ -216,6 +243,20 @@ void draw_measured(App& app, TradeDesk& desk, const Knob& knob, const std::share
 }
 
 }  // namespace
+
+bool draw_large_trade(App& app, ImVec2 size) {
+  if (!app.trades) return false;
+  TradeDesk& desk = *app.trades;
+  desk.pointed = -1;
+  if (!desk.large || app.settings.side != Side::trade) return false;
+  const Knob* knob = chosen_knob(app);
+  const auto measured = knob ? desk.of(*knob) : nullptr;
+  if (!measured || size.x < app.look.px(200) || size.y < app.look.px(160)) return false;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, app.look.palette.panel);
+  desk.pointed = plot_to_point_at(app, desk, *knob, *measured, size);
+  return true;
+}
 
 void draw_trade_panel(App& app) {
   const Knob* knob = chosen_knob(app);

@@ -100,17 +100,30 @@ class Layouter {
     x_.widen(), y_.widen();
   }
 
+  bool is_small() const { return out_.right - out_.left < 18 * letters_; }
+
+  // As much of it as `room` holds, cut between characters (UTF-8).
+  std::string shortened(std::string what, float room) const {
+    if (wide(what, small_) <= room) return what;
+    while (!what.empty() && wide(what + "…", small_) > room) {
+      while (!what.empty() && (static_cast<unsigned char>(what.back()) & 0xc0) == 0x80) what.pop_back();
+      if (!what.empty()) what.pop_back();
+    }
+    return what + "…";
+  }
+
   // The title, and under it the legend in as many rows as it needs.
   void add_head() {
     float y = 1.2f * letters_;
     text(PlotInk::text, plot_.title.in(language_), {out_.left, y}, letters_);
-    float x = out_.left;
+    const float begin = is_small() ? 0.3f * letters_ : out_.left;
+    float x = begin;
     y += 1.6f * letters_;
     for (const Plot::Entry& entry : plot_.legend) {
-      const std::string& what = entry.text.in(language_);
-      const float sign = entry.sign == Plot::Entry::Sign::none ? 0 : 1.6f * letters_,
-                  length = sign + wide(what, small_);
-      if (x > out_.left && x + length > out_.right) x = out_.left, y += 1.35f * letters_;
+      const float sign_room = 1.6f * letters_;
+      const std::string what = shortened(entry.text.in(language_), out_.right - begin - sign_room);
+      const float sign = entry.sign == Plot::Entry::Sign::none ? 0 : sign_room, length = sign + wide(what, small_);
+      if (x > begin && x + length > out_.right) x = begin, y += 1.35f * letters_;
       const float middle = y - 0.3f * letters_;
       if (entry.sign == Plot::Entry::Sign::dot)
         out_.marks.push_back({.kind = PlotMark::Kind::dot,
@@ -225,12 +238,17 @@ class Layouter {
     ++out_.labels_left_out;
   }
 
+  // The front's first; a small field has room for no others, which the mouse asks about.
   void add_labels() {
-    for (const bool strong : {true, false})  // the front's first
+    for (const bool strong : {true, false})
       for (std::size_t i = 0; i < plot_.points.size(); ++i)
         if (const std::string& what = plot_.points[i].label.in(language_);
-            !what.empty() && plot_.points[i].strong == strong)
-          add_label(what, i);
+            !what.empty() && plot_.points[i].strong == strong) {
+          if (strong || !is_small())
+            add_label(what, i);
+          else
+            ++out_.labels_left_out;
+        }
   }
 
   const Plot& plot_;

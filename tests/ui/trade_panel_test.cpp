@@ -6,6 +6,7 @@
 #include "raster/software.h"
 #include "tests/temporary_folder.h"
 #include "tests/ui/imgui_fixture.h"
+#include "ui/layout.h"
 #include "ui/plot_view.h"
 #include "ui/trade_desk.h"
 #include "workbench/open.h"
@@ -118,6 +119,37 @@ TEST_F(TradePanel, EachPointIsUnderTheMouseWhereItIsPainted) {
     ++seen;
   }
   EXPECT_EQ(seen, 3);
+}
+
+TEST_F(TradePanel, TheLargePlotStandsInPlaceOfThePictures) {
+  ASSERT_TRUE(measure());
+  TradeDesk& desk = trades_of(app);
+  bool drawn = false;
+  ImVec2 origin, size{600, 400};
+  const auto draw = [&] {
+    origin = ImGui::GetCursorScreenPos();
+    drawn = draw_large_trade(app, size);
+  };
+  frame(draw);
+  EXPECT_FALSE(drawn);  // not asked for
+  desk.large = true;
+  frame(draw);
+  EXPECT_TRUE(drawn);
+  EXPECT_EQ(desk.pointed, -1);
+  for (const PlotMark& mark : std::vector<PlotMark>(desk.speed_view.layout.marks)) {
+    if (mark.point < 0 || mark.kind == PlotMark::Kind::line || mark.kind == PlotMark::Kind::text) continue;
+    ImGui::GetIO().MousePos = {origin.x + mark.places[0].x, origin.y + mark.places[0].y - desk.speed_view.head};
+    frame(draw), frame(draw);
+    EXPECT_EQ(desk.pointed, int(desk.speed_view.plot->points[std::size_t(mark.point)].index));
+  }
+  size = {90, 90};  // no room: the pictures stay
+  frame(draw);
+  EXPECT_FALSE(drawn);
+  size = {600, 400};
+  app.settings.side = Side::plan;
+  frame(draw);
+  EXPECT_FALSE(drawn);
+  EXPECT_EQ(desk.pointed, -1);
 }
 
 TEST_F(TradePanel, IsDrawnInEverySizeAndBothLanguages) {
