@@ -116,8 +116,7 @@ class Cutter {
   std::vector<std::uint32_t> row(long j, long right, long up) {
     const auto& c = face_->corner;
     const bool quad = face_->corners == 4;
-    const ElementVertex first = between(c[0], quad ? c[3] : c[2], j, up),
-                        last = between(c[1], quad ? c[2] : c[2], j, up);
+    const ElementVertex first = between(c[0], quad ? c[3] : c[2], j, up), last = between(c[1], c[2], j, up);
     const long n = quad ? right : right - j;
     std::vector<std::uint32_t> out;
     for (long i = 0; i <= n; ++i) out.push_back(number_(n == 0 ? first : between(first, last, i, n)));

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <random>
 
-#include "params/file.h"
 #include "params/input_error.h"
 #include "radiosity/elements.h"
+#include "radiosity/solution_format.h"
 #include "scene/model_file.h"
 #include "tests/radiosity/scenes.h"
 #include "tests/temporary_folder.h"
@@ -164,6 +164,35 @@ TEST(SolutionFile, OnDisk) {
   EXPECT_EQ(read_solution(folder / "room.ply", scene, progress)->radiosity, written.radiosity);
   EXPECT_THROW(read_solution(folder / "none.ply", scene, progress), InputError);
   EXPECT_THROW(save_solution(written, folder.path() / "no folder" / "room.ply"), InputError);
+}
+
+// Altered, and signed anew: refused, or a solution whose lists fit together, whatever was altered.
+TEST(SolutionFile, Forged) {
+  const Scene scene = two_rooms();
+  const std::string bytes = solution_bytes(made_up(scene, 1));
+  const std::size_t sum = bytes.find(solution_format::checksum_key) + solution_format::checksum_key.size();
+  const std::size_t body = bytes.find(solution_format::end);
+  std::mt19937 random(7);
+  int refused = 0, taken = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    std::string forged = bytes;
+    const std::size_t most = trial % 2 ? bytes.size() : body;
+    for (int k = trial % 5; k >= 0; --k) forged[random() % most] = char(random());
+    forged.replace(sum, solution_format::digits, solution_format::digits, '0');
+    forged.replace(sum, solution_format::digits, solution_format::hexadecimal(solution_format::checksum(forged)));
+    Progress progress;
+    try {
+      const SolutionHandle read = solution_of(forged, "room.ply", scene, progress);
+      EXPECT_EQ(read->radiosity.size(), read->patches->patches.size());
+      EXPECT_EQ(read->element_radiosity.size(), read->patches->elements.size());
+      ++taken;
+    } catch (const InputError& e) {
+      EXPECT_FALSE(e.message(Language::japanese).empty());
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
+  EXPECT_GT(taken, 100);
 }
 
 // Levels that no cutting in four gives are refused, whatever the checksum says.
