@@ -38,7 +38,7 @@ class Direct final : public Iteration {
       if (c == 2 && same(2, 1)) continue;
       solve(c, rows, progress, b);
     }
-    b_ = std::move(b);
+    b_ = Channels(b.vectors());
     measure(rows, progress);
   }
 
@@ -61,7 +61,7 @@ class Direct final : public Iteration {
     a.triangularView<Eigen::UnitLower>().solveInPlace(light);
     a.triangularView<Eigen::Upper>().solveInPlace(light);
     for (int d = c; d < 3; ++d)
-      if (same(d, c)) std::copy(light.col(d).begin(), light.col(d).end(), b.plane(d));
+      if (same(d, c)) std::copy(light.col(d).begin(), light.col(d).end(), b.plane_alone(d));
   }
 
   // P A = L U in place; `light` is permuted as the rows of A are.

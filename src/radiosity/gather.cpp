@@ -40,7 +40,7 @@ class Gather final : public Iteration {
 
   void step(RowSource& rows, Progress& progress) override {
     const std::size_t i = row_;
-    const glm::dvec3 value = data_->emission[i] + data_->reflectance[i] * rows.times(i, b_, progress);
+    const glm::dvec3 value = data_->emission[i] + data_->reflectance[i] * received(rows, progress);
     const glm::dvec3 change = value - b_[i];
     growth_.see(change_[i], change);
     change_.set(i, change);
@@ -52,6 +52,19 @@ class Gather final : public Iteration {
   }
 
  private:
+  // sum_j F_ij b_j of the next row. Some rows are multiplied at once by the light that there is before the first of
+  // them; what those among them have changed since is added.
+  glm::dvec3 received(RowSource& rows, Progress& progress) {
+    const FormFactorMatrix& m = rows.matrix();
+    if (row_ >= m.kept_rows()) return rows.times(row_, b_, progress);
+    const std::size_t k = row_ % at_once, first = row_ - k;
+    if (k == 0) m.times(first, b_, ahead_);
+    glm::dvec3 sum = ahead_[k];
+    if (gauss_seidel_)
+      for (std::size_t j = first; j < row_; ++j) sum += m.at(row_, j) * change_[j];
+    return sum;
+  }
+
   // What is left of the residual is rho F times changes of this sweep: at most row_bound times the largest of them.
   void end_sweep() {
     if (!gauss_seidel_) std::swap(b_, next_);
@@ -62,11 +75,14 @@ class Gather final : public Iteration {
     row_ = 0;
   }
 
+  static constexpr std::size_t at_once = FormFactorMatrix::rows_at_once;
+
   std::shared_ptr<const SolverData> data_;
   bool gauss_seidel_;
   Channels b_, next_;  // next_: of the sweep that is under way, Jacobi's
   Channels change_;    // of each patch, when it was last computed
   std::size_t row_ = 0;
+  std::array<glm::dvec3, at_once> ahead_{};    // of the rows that were multiplied at once
   double largest_change_ = 0, brightest_ = 0;  // of this sweep
   bool swept_ = false;
   Growth growth_;

@@ -14,6 +14,14 @@ namespace {
 // How far the sum of floats that were normalised in double may be from 1.
 constexpr double float_rounding = 1e-4;
 
+template <class Real>
+glm::dvec3 dot_of(const Real* row, const Channels& x) {
+  glm::dvec3 out;
+  dot<1>(row, 0, x, &out);
+  return out;
+}
+glm::dvec3 dot_of(const std::vector<FormFactor>& row, const Channels& x) { return dot(row, x); }
+
 double sum_of(const std::vector<FormFactor>& row) {
   double sum = 0;
   for (const FormFactor& f : row) sum += f.value;
@@ -77,7 +85,20 @@ std::size_t FormFactorMatrix::bytes() const {
 }
 
 glm::dvec3 FormFactorMatrix::times(std::size_t i, const Channels& x) const {
-  return with_row(i, [&](const auto& row) { return dot(row, x); }) * scale_[i];
+  return with_row(i, [&](const auto& row) { return dot_of(row, x); }) * scale_[i];
+}
+
+void FormFactorMatrix::times(std::size_t i, const Channels& x, std::array<glm::dvec3, rows_at_once>& out) const {
+  const std::size_t count = std::min(rows_at_once, kept_ - i);
+  if (storage_ == Storage::sparse || count < rows_at_once) {
+    for (std::size_t k = 0; k < count; ++k) out[k] = times(i + k, x);
+    return;
+  }
+  if (doubles_)
+    dot<rows_at_once>(doubles_.get() + i * stride_, stride_, x, out.data());
+  else
+    dot<rows_at_once>(floats_.get() + i * stride_, stride_, x, out.data());
+  for (std::size_t k = 0; k < count; ++k) out[k] *= scale_[i + k];
 }
 
 void FormFactorMatrix::add_row(std::size_t i, const glm::dvec3& x, const Channels& factor, Channels& y) const {

@@ -80,6 +80,9 @@ class FormFactorMatrix {
 
   // sum_j F_ij x_j of a kept row: the same bits on every call.
   glm::dvec3 times(std::size_t i, const Channels& x) const;
+  // The same of `rows_at_once` rows from i on, those that are kept: x is read once for all of them.
+  static constexpr std::size_t rows_at_once = 8;
+  void times(std::size_t i, const Channels& x, std::array<glm::dvec3, rows_at_once>& out) const;
   // y_j += F_ij x factor_j for every j, of a kept row.
   void add_row(std::size_t i, const glm::dvec3& x, const Channels& factor, Channels& y) const;
   // visit(j, F_ij) where that is not 0, j ascending, of a kept row: in matrix_rows.h.

@@ -17,34 +17,46 @@ inline double sum_of(const Lanes<double>& v) {
   return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
 }
 
-// sum_j row_j x_j; row has x.padded_size() numbers.
-template <class Real>
-glm::dvec3 dot(const Real* row, const Channels& x) {
+// sum_j row_j x_j of `Rows` dense rows at once, `stride` numbers apart, so that x is read once for all of them; a row
+// has x.padded_size() numbers. One row's sum is the same bits whichever rows it is computed with.
+template <std::size_t Rows, class Real>
+void dot(const Real* rows, std::size_t stride, const Channels& x, glm::dvec3* out) {
+  constexpr std::size_t ahead =
+      512 / sizeof(Real);  // so many bytes of each row: the machine follows few rows by itself
   const double *r = x.plane(0), *g = x.plane(1), *b = x.plane(2);
   const std::size_t n = x.padded_size();
-  Lanes<double> red{}, green{}, blue{};
+  Lanes<double> red[Rows] = {}, green[Rows] = {}, blue[Rows] = {};
   for (std::size_t j = 0; j < n; j += lanes) {
-    const Lanes<double> f = next_lanes(row + j);
-    red += f * next_lanes(r + j);
-    green += f * next_lanes(g + j);
-    blue += f * next_lanes(b + j);
+    const Lanes<double> xr = next_lanes(r + j), xg = next_lanes(g + j), xb = next_lanes(b + j);
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < Rows; ++k) {
+      const Real* row = rows + k * stride + j;
+      __builtin_prefetch(row + ahead);
+      const Lanes<double> f = next_lanes(row);
+      red[k] += f * xr, green[k] += f * xg, blue[k] += f * xb;
+    }
   }
-  return {sum_of(red), sum_of(green), sum_of(blue)};
+  for (std::size_t k = 0; k < Rows; ++k) out[k] = {sum_of(red[k]), sum_of(green[k]), sum_of(blue[k])};
 }
 
 // Four entries at a time, so that no sum waits for the one before.
 inline glm::dvec3 dot(const std::vector<FormFactor>& row, const Channels& x) {
-  const double* planes[3] = {x.plane(0), x.plane(1), x.plane(2)};
-  double sums[4][3] = {};
+  const Quad* quads = x.quads();
+  const FormFactor* f = row.data();
+  Quad a{}, b{}, c{}, d{};
   std::size_t k = 0;
-  for (; k + 4 <= row.size(); k += 4)
-    for (std::size_t e = 0; e < 4; ++e)
-      for (std::size_t c = 0; c < 3; ++c) sums[e][c] += double(row[k + e].value) * planes[c][row[k + e].patch];
-  for (; k < row.size(); ++k)
-    for (std::size_t c = 0; c < 3; ++c) sums[0][c] += double(row[k].value) * planes[c][row[k].patch];
-  glm::dvec3 out;
-  for (std::size_t c = 0; c < 3; ++c) out[int(c)] = (sums[0][c] + sums[1][c]) + (sums[2][c] + sums[3][c]);
-  return out;
+  for (; k + 4 <= row.size(); k += 4) {
+    constexpr std::size_t ahead = 16;
+    if (k + ahead + 4 <= row.size())
+      for (std::size_t e = 0; e < 4; ++e) __builtin_prefetch(quads + f[k + ahead + e].patch);
+    a += double(f[k].value) * quads[f[k].patch];
+    b += double(f[k + 1].value) * quads[f[k + 1].patch];
+    c += double(f[k + 2].value) * quads[f[k + 2].patch];
+    d += double(f[k + 3].value) * quads[f[k + 3].patch];
+  }
+  for (; k < row.size(); ++k) a += double(f[k].value) * quads[f[k].patch];
+  const Quad sum = (a + b) + (c + d);
+  return {sum[0], sum[1], sum[2]};
 }
 
 // y_j += row_j x factor_j.
@@ -52,7 +64,7 @@ template <class Real>
 void add(const Real* row, const glm::dvec3& x, const Channels& factor, Channels& y) {
   for (int c = 0; c < 3; ++c) {
     const double* rho = factor.plane(c);
-    double* out = y.plane(c);
+    double* out = y.plane_alone(c);
     for (std::size_t j = 0; j < y.padded_size(); j += lanes) {
       const Lanes<double> sum = next_lanes(out + j) + next_lanes(row + j) * x[c] * next_lanes(rho + j);
       std::memcpy(out + j, &sum, sizeof sum);
@@ -63,7 +75,7 @@ void add(const Real* row, const glm::dvec3& x, const Channels& factor, Channels&
 inline void add(const std::vector<FormFactor>& row, const glm::dvec3& x, const Channels& factor, Channels& y) {
   for (int c = 0; c < 3; ++c) {
     const double* rho = factor.plane(c);
-    double* out = y.plane(c);
+    double* out = y.plane_alone(c);
     for (const FormFactor& f : row) out[f.patch] += double(f.value) * x[c] * rho[f.patch];
   }
 }

@@ -6,6 +6,7 @@
 
 #include "radiosity/patches.h"
 #include "radiosity/solver.h"
+#include "scene/radiosity_field.h"
 
 namespace cg {
 
@@ -37,18 +38,27 @@ struct RadiositySolution {
 // Shared and never changed once it is made.
 using SolutionHandle = std::shared_ptr<const RadiositySolution>;
 
-// Told before the form factors are computed: how many rows will be kept in what memory.
-using AnnouncePlan = std::function<void(const MatrixPlan&)>;
+struct SolveOptions {
+  int threads = 1;  // nothing but the time depends on them
+  // Told before the form factors are computed: how many rows will be kept, in what memory.
+  std::function<void(const MatrixPlan&)> announce;
+  // Where the form factors come from. Null: form_factor_method() without OpenGL.
+  std::function<FormFactorMethod(const Patches&, const Radiosity&)> method;
+};
 
-// Patches, form factors, the linear system and the elements' light, by scene.radiosity's options. Of `earlier`, which
-// may be null, it takes the form factors where geometry and method are the same, and all where nothing changed. Where
-// it is cancelled `earlier` stays what it is. Throws Cancelled, and InputError where the scene has no patch, a
+// Patches, form factors, the linear system and the elements' light. Of `earlier`, which may be null, it takes the form
+// factors where geometry and method are the same, and all where nothing changed. Progress runs from 0 to 1 in each
+// phase. Throws Cancelled (within 100 ms; `earlier` stays what it is), and InputError where the scene has no face, a
 // reflectance is above 1, or the solver cannot have so many patches.
 SolutionHandle solve_radiosity(const Scene& scene, const Radiosity& options, const SolutionHandle& earlier,
-                               Progress& progress, int threads = 1, const AnnouncePlan& announce = {});
+                               Progress& progress, const SolveOptions& how = {});
+
+// As the techniques draw it. The solution was made of `scene`.
+RadiosityHandle drawable(const Scene& scene, const RadiositySolution& solution);
 
 // F from one object to another, indices into Scene::objects: the mean over the patches of the first, weighted by area,
-// of the factors to all patches of the second. 0 where either has no patch. Throws Cancelled.
+// of the factors to all patches of the second. 0 where either has no patch; rows that are not kept are computed. Throws
+// Cancelled.
 double form_factor(const RadiositySolution& solution, std::uint32_t from, std::uint32_t to, const Progress& progress);
 
 }  // namespace cg

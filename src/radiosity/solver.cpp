@@ -1,16 +1,12 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/solver_parts.h"
 
 namespace cg {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // Where changes are no larger than this times the brightest patch, another sweep brings nothing.
 constexpr double digits_of_double = 0x1p-50;
@@ -104,12 +100,18 @@ void Solver::Parts::begin() {
 }
 
 void Solver::Parts::step(Progress& progress) {
-  const auto begin = Clock::now();
   iteration->step(rows, progress);
-  seconds += seconds_since(begin);
   ++steps;
   if (const auto standing = iteration->standing()) judge(*standing);
-  if (steps % stride() == 0) history.remember(steps, seconds, *iteration);
+  if (steps % stride() != 0) return;
+  lap();
+  history.remember(steps, seconds, *iteration);
+  start();
+}
+
+void Solver::Parts::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  seconds += std::chrono::duration<double>(now - std::exchange(clock, now)).count();
 }
 
 void Solver::Parts::judge(const Standing& s) {
@@ -127,6 +129,7 @@ void Solver::Parts::judge(const Standing& s) {
 }
 
 void Solver::Parts::note(double bound, bool may_grow) {
+  lap();
   curve.push_back({steps, double(steps) / double(iteration->steps_a_sweep()), seconds, bound});
   if (curve.size() > most_points) {
     std::size_t kept = 0;
@@ -177,17 +180,21 @@ std::optional<std::size_t> Solver::active() const {
 void Solver::step(Progress& progress) {
   if (parts_->end != SolverEnd::none) return;
   parts_->check(progress);
+  parts_->start();
   parts_->step(progress);
+  parts_->lap();
   parts_->history.remember(parts_->steps, parts_->seconds, *parts_->iteration);
 }
 
 void Solver::sweep(Progress& progress) {
   constexpr std::size_t unasked = 16;
+  parts_->start();
   const std::size_t to = (steps() / std::max<std::size_t>(steps_a_sweep(), 1) + 1) * steps_a_sweep();
   while (steps() < to && parts_->end == SolverEnd::none) {
     if (steps() % unasked == 0) parts_->check(progress);
     parts_->step(progress);
   }
+  parts_->lap();
 }
 
 void Solver::run(Progress& progress) {
@@ -199,10 +206,12 @@ void Solver::run(Progress& progress) {
 
 void Solver::go_to(std::size_t step, Progress& progress) {
   if (step < steps()) parts_->restore(*parts_->history.nearest(step));
+  parts_->start();
   while (steps() < step && parts_->end == SolverEnd::none) {
     parts_->check(progress);
     parts_->step(progress);
   }
+  parts_->lap();
 }
 
 }  // namespace cg

@@ -1,5 +1,7 @@
 // What Solver holds: for its own files.
 #pragma once
+#include <chrono>
+
 #include "radiosity/solver_history.h"
 
 namespace cg {
@@ -23,7 +25,8 @@ struct Solver::Parts {
   SolverHistory history;
   std::vector<ResidualPoint> curve;
   std::size_t steps = 0;
-  double seconds = 0;
+  double seconds = 0;  // of the steps until `clock`
+  std::chrono::steady_clock::time_point clock;
   SolverEnd end = SolverEnd::none;
 
   Parts(RadiositySystem system, const Radiosity& options, int threads);
@@ -33,6 +36,9 @@ struct Solver::Parts {
   // Between two states that are remembered, and between two points of a shooting solver's curve.
   std::size_t stride() const;
   void begin();
+  // The clock runs from start() on; lap() brings `seconds` up to now. (A step may take less than asking for the time.)
+  void start() { clock = std::chrono::steady_clock::now(); }
+  void lap();
   void step(Progress& progress);
   void judge(const Standing& s);
   void note(double bound, bool may_grow);
