@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
+#include <random>
+
+#include "radiosity/closed_form.h"
 #include "tests/radiosity/patch_rooms.h"
 
 namespace cg {
@@ -133,6 +136,34 @@ TEST(FormFactors, ErrorFallsAsOneOverSSquared) {
       EXPECT_NEAR(last / grid, 4, 0.4) << s;
     }
     last = grid;
+  }
+}
+
+// Rectangles anywhere, from a point: what a hemicube of coarse pixels errs, relative to the closed form.
+TEST(FormFactors, AliasingFallsWithResolution) {
+  struct Known {
+    int resolution;
+    double mean;  // of F > 0.01
+  };
+  for (const Known& known : {Known{32, 0.019}, {64, 0.0063}, {128, 0.0022}, {256, 0.0007}, {512, 0.00023}}) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    double sum = 0;
+    int count = 0;
+    while (count < 189) {
+      const glm::dvec3 at(2 * uniform(random), 2 * uniform(random), 1 + 0.8 * uniform(random));
+      const glm::dvec3 u = unit(glm::dvec3(uniform(random), uniform(random), uniform(random)));
+      const glm::dvec3 v = unit(glm::cross(u, glm::dvec3(uniform(random), uniform(random), uniform(random))));
+      Patches p = ground_point();
+      add_rectangle(p, at, u, v);
+      const double exact = point_form_factor(p.patches[0].centre, z_axis, std::span(p.patches[1].corner));
+      if (exact < 0.01) continue;
+      const double f = factor(row_of(p, 0, hemicube(known.resolution, 1, Placement::grid)), 1);
+      sum += std::abs(f - exact) / exact;
+      ++count;
+    }
+    std::printf("R = %3d: mean relative error of F > 0.01: %.2e\n", known.resolution, sum / count);
+    EXPECT_LT(sum / count, 1.5 * known.mean);
   }
 }
 

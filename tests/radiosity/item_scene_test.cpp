@@ -42,6 +42,21 @@ TEST(ItemScene, NoPixelOfAClosedRoomIsMissed) {
   EXPECT_EQ(missed_pixels(closed_cube(8), 1024, 97), 0u);
 }
 
+// Walls cut differently, so that corners lie within their neighbours' edges; turned, moved and of any size.
+TEST(ItemScene, NoPixelIsMissedAtTJunctions) {
+  for (const double size : {1.0, 550.0, 1e-3})
+    for (const bool turned : {false, true}) {
+      const glm::dvec3 z = turned ? unit(glm::dvec3(0.3, -0.5, 0.8)) : glm::dvec3(0, 0, 1);
+      const glm::dvec3 x = turned ? unit(glm::cross(z, glm::dvec3(0.2, 0.9, 0.1))) : glm::dvec3(1, 0, 0);
+      const glm::dvec3 u = size * x, v = size * glm::cross(z, x), w = size * z, o = size * glm::dvec3(1.7, -0.4, 2.9);
+      Patches room;
+      add_rectangle(room, o, u, v, 7, 9), add_rectangle(room, o + w, v, u, 11, 13);
+      add_rectangle(room, o, v, w, 5, 17), add_rectangle(room, o + u, w, v, 19, 6);
+      add_rectangle(room, o, w, u, 23, 8), add_rectangle(room, o + v, u, w, 10, 29);
+      EXPECT_EQ(missed_pixels(room, 128, 23), 0u) << size << " " << turned;
+    }
+}
+
 // What a ray meets first, of all patches, in double.
 std::uint32_t met(const Patches& room, const glm::dvec3& o, const glm::dvec3& d, double& clear) {
   double nearest = 1e30;
