@@ -6,6 +6,7 @@
 
 #include "radiosity/elements.h"
 #include "radiosity/faces.h"
+#include "radiosity/seams.h"
 
 namespace cg {
 
@@ -16,8 +17,9 @@ using Index = std::uint32_t;
 // The elements of one object as a mesh, vertices numbered anew in the order of their first use.
 class ObjectElements {
  public:
-  ObjectElements(const Patches& patches, const Outlines& outlines, const std::vector<glm::dvec3>& values)
-      : patches_(patches), outlines_(outlines), values_(values), number_(patches.vertices.size(), no_index) {}
+  ObjectElements(const std::vector<ElementVertex>& vertices, const SeamedOutlines& outlines,
+                 const std::vector<glm::dvec3>& values)
+      : vertices_(vertices), outlines_(outlines), values_(values), number_(vertices.size(), no_index) {}
 
   void add(Index element, bool mirrored) {
     face_.clear();
@@ -26,8 +28,8 @@ class ObjectElements {
       Index& n = number_[v];
       if (n == no_index) {
         n = Index(data_.positions.size());
-        data_.positions.push_back(patches_.vertices[v].local);
-        data_.normals.push_back(patches_.vertices[v].normal);
+        data_.positions.push_back(vertices_[v].local);
+        data_.normals.push_back(vertices_[v].normal);
         used_.push_back(v);
         has_normals_ = has_normals_ || data_.normals.back() != glm::dvec3(0);
       }
@@ -52,8 +54,8 @@ class ObjectElements {
   }
 
  private:
-  const Patches& patches_;
-  const Outlines& outlines_;
+  const std::vector<ElementVertex>& vertices_;
+  const SeamedOutlines& outlines_;
   const std::vector<glm::dvec3>& values_;
   std::vector<Index> number_, used_;
   MeshData data_;
@@ -68,11 +70,19 @@ RadiosityField field_of(const Scene& scene, const Patches& patches, std::span<co
   std::vector<glm::dvec3> reflected(element_radiosity.begin(), element_radiosity.end());
   for (Index e = 0; e < reflected.size(); ++e) reflected[e] -= patches.patches[patches.elements[e].patch].emission;
   const Outlines outlines = outlines_of(patches);
-  const std::vector<glm::dvec3> values = vertex_values(patches, outlines, reflected);
+  std::vector<glm::dvec3> values = vertex_values(patches, outlines, reflected);
+  const SeamedOutlines seamed = with_seams(patches, outlines);
+  std::vector<ElementVertex> vertices = patches.vertices;
+  for (const HangingVertex& seam : seamed.seams) {
+    const ElementVertex &a = vertices[seam.a], &b = vertices[seam.b];
+    const auto mix = [&](const glm::dvec3& p, const glm::dvec3& q) { return p + seam.t * (q - p); };
+    vertices.push_back({mix(a.position, b.position), mix(a.local, b.local), mix(a.normal, b.normal), a.surface});
+    values.push_back(mix(values[seam.a], values[seam.b]));
+  }
   RadiosityField field;
   field.geometry = geometry;
   field.objects.resize(scene.objects.size());
-  ObjectElements elements(patches, outlines, values);
+  ObjectElements elements(vertices, seamed, values);
   for (Index e = 0; e < patches.elements.size(); ++e) {
     const Index object = patches.patches[patches.elements[e].patch].object;
     elements.add(e, mirrors(scene.objects[object].transform));

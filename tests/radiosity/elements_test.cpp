@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "math/transform.h"
 #include "radiosity/field.h"
@@ -250,6 +251,34 @@ TEST(Field, MeshesOfElements) {
     EXPECT_GT(glm::dot(unit(n), unit(data.positions[c.position])), 0.999);
   }
   EXPECT_FALSE(field.objects[3].mesh->has_normals());
+}
+
+// Two walls of two objects that are cut in 3 and in 4 along their common edge: both get the points of both there, and
+// keep their light.
+TEST(Field, SurfacesThatMeetHaveTheSamePoints) {
+  Scene scene = scene_of({object_of({rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})}),
+                          object_of({rectangle({0, 0, 0}, {0, 1.25, 0}, {0, 0, 1})})});
+  scene.objects[1].transform.scale.y = 0.8;
+  for (const double size : {0.3, 0.26, 0.5}) {
+    Patches p = patches_of(scene, size);
+    Progress progress;
+    const auto corner = [](const glm::dvec3& m) { return glm::dvec3(m.z > 0 && m.y < 0.3 ? 9 : 1); };
+    refine_elements(p, values_of(p, corner), {.adaptive_levels = 2, .gradient = 0.1}, progress);
+    const auto light = [](const glm::dvec3& m) { return glm::dvec3(m.z > 0 ? 5 : 2); };
+    const RadiosityField field = field_of(scene, p, values_of(p, light), 0);
+    std::array<std::set<long>, 2> places;
+    for (std::size_t o = 0; o < 2; ++o) {
+      const MeshData& data = field.objects[o].mesh->data();
+      EXPECT_EQ(field.objects[o].mesh->report(), MeshReport{});
+      for (std::size_t c = 0; c < data.corners.size(); ++c) {
+        const glm::dvec3 at = data.positions[data.corners[c].position] * scene.objects[o].transform.scale;
+        if (at.x == 0 && at.z == 0) places[o].insert(std::lround(at.y * 1e9));
+        EXPECT_FLOAT_EQ(field.objects[o].corners[c].x, o == 0 ? 2.0f : 5.0f);
+      }
+    }
+    EXPECT_GT(places[0].size(), 4u);
+    EXPECT_EQ(places[0], places[1]) << size;
+  }
 }
 
 }  // namespace
