@@ -115,13 +115,13 @@ void lu_against_gauss_seidel(std::size_t n) {
 
 Scene cornell_box() {
   Scene scene;
-  const std::vector<CornellMaterial> materials = cornell_materials();
-  for (const CornellPart& part : cornell_parts()) {
+  const std::vector<BundledMaterial> materials = cornell_materials();
+  for (const BundledPart& part : cornell_parts()) {
     Object o;
     o.name = part.name;
     o.mesh = Mesh::make(part.mesh);
     o.own_material = true;
-    for (const CornellMaterial& m : materials)
+    for (const BundledMaterial& m : materials)
       if (m.name == part.material) o.material.k_d = m.reflectance, o.material.emission = m.emission;
     scene.objects.push_back(std::move(o));
   }
