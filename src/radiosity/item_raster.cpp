@@ -1,13 +1,15 @@
 // ItemScene::draw: sixteen patches are set up at once, then each is drawn tile by tile.
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
-#ifdef __AVX512DQ__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
 #include "radiosity/face_box.h"
 #include "radiosity/item_scene.h"
+#include "raster/lanes.h"
 
 namespace cg {
 
@@ -34,6 +36,10 @@ void raise(const WideFloats& a, WideFloats& most) { most = a > most ? a : most; 
 Bits bits_of(const WideInts& mask) {
 #ifdef __AVX512DQ__
   return Bits(_mm512_movepi32_mask(__m512i(mask)));
+#elif defined(__AVX2__)
+  __m256 halves[2];
+  std::memcpy(halves, &mask, sizeof halves);
+  return Bits(_mm256_movemask_ps(halves[0])) | Bits(_mm256_movemask_ps(halves[1])) << 8;
 #else
   Bits bits = 0;
   for (int i = 0; i < wide; ++i) bits |= (Bits(mask[i]) & 1) << i;
@@ -213,6 +219,7 @@ Bits find_pixels(const Face& face, const Seen& seen, Bits wanted, OnFace& out) {
   return bits_of((out.low_x <= out.high_x) & (out.low_y <= out.high_y)) & wanted;
 }
 
+#ifdef __AVX512F__
 // Draws patch i of sixteen.
 void draw_patch(const Face& face, const OnFace& p, int i, std::uint32_t item) {
   const int first_x = p.low_x[i] / tile_side, last_x = p.high_x[i] / tile_side;
@@ -235,6 +242,44 @@ void draw_patch(const Face& face, const OnFace& p, int i, std::uint32_t item) {
     }
   }
 }
+#else
+// Eight of sixteen, for processors that take so many at once: compilers do not divide comparisons well.
+template <class T>
+void load_half(const Wide<T>& from, int half, Lanes<T>& out) {
+  std::memcpy(&out, reinterpret_cast<const char*>(&from) + half * sizeof out, sizeof out);
+}
+template <class T>
+void store_half(const Lanes<T>& from, int half, Wide<T>& out) {
+  std::memcpy(reinterpret_cast<char*>(&out) + half * sizeof from, &from, sizeof from);
+}
+
+// Draws patch i of sixteen.
+void draw_patch(const Face& face, const OnFace& p, int i, std::uint32_t item) {
+  using Floats = Lanes<float>;
+  using Ints = Lanes<std::int32_t>;
+  const int first_x = p.low_x[i] / tile_side, last_x = p.high_x[i] / tile_side;
+  const int first_y = p.low_y[i] / tile_side, last_y = p.high_y[i] / tile_side;
+  for (int y = first_y; y <= last_y; ++y)
+    for (int half = 0; half < 2; ++half) {
+      Floats t, c[5];
+      load_half<float>(face.t[y].at, half, t);
+      for (int k = 0; k < 5; ++k) c[k] = t * p.b[k][i] + p.c[k][i];
+      ItemTile* tile = face.tiles + y * face.across + first_x;
+      for (int x = first_x; x <= last_x; ++x, ++tile) {
+        Floats s, was_near;
+        Lanes<std::uint32_t> was;
+        load_half<float>(face.s[x].at, half, s), load_half<float>(tile->nearness, half, was_near);
+        load_half<std::uint32_t>(tile->item, half, was);
+        const Ints inside = (Ints(s * p.a[0][i] + c[0]) | Ints(s * p.a[1][i] + c[1]) | Ints(s * p.a[2][i] + c[2]) |
+                             Ints(s * p.a[3][i] + c[3])) >= 0;
+        const Floats nearness = s * p.a[4][i] + c[4];
+        const Ints wins = inside & (nearness > was_near);
+        store_half<float>(wins ? nearness : was_near, half, tile->nearness);
+        store_half<std::uint32_t>(wins ? Lanes<std::uint32_t>{} + item : was, half, tile->item);
+      }
+    }
+}
+#endif
 
 template <HemicubeFace F>
 void draw_group(const Face& face, const Seen& seen, Bits wanted, std::uint32_t first_item) {
