@@ -48,7 +48,9 @@ MatrixPlan plan_matrix(std::size_t rows, const FormFactorMethod& method, double 
 
 Text MatrixPlan::text() const {
   const std::string n = std::to_string(rows), kept = std::to_string(kept_rows);
-  const std::string size = number_text(std::round(double(bytes) / mebibyte * 10) / 10) + " MiB";
+  const bool large = double(bytes) >= mebibyte;
+  const std::string size =
+      number_text(std::ceil(double(bytes) / (large ? mebibyte : 1024))) + (large ? " MiB" : " KiB");
   const Words kind = storage == Storage::dense ? Words{"dense", "密行列"} : Words{"sparse", "疎行列"};
   const std::string en(kind.en), ja(kind.ja);
   if (kept_rows == rows)

@@ -92,7 +92,7 @@ void Solver::Parts::begin() {
   for (const glm::dvec3& e : data->system.emission) brightest = std::max(brightest, largest(e));
   const double kept = kind == RadiositySolver::southwell ? 1 : std::min(bounce.closed, 1.0);
   history.remember(0, 0, *iteration);
-  curve.push_back({0, 0, 0, factor() * kept});
+  curve.push_back({0, 0, 0, brightest > 0 ? factor() * kept : 0});
   if (brightest * kept == 0)
     end = SolverEnd::converged;
   else if (!absorbs(bounce.least) && kind != RadiositySolver::lu)

@@ -3,6 +3,7 @@
 #include "workbench/export_command.h"
 #include "workbench/grade_command.h"
 #include "workbench/import_command.h"
+#include "workbench/radiosity_command.h"
 
 namespace cg {
 
@@ -15,6 +16,7 @@ void CommandParser::add_all() {
   add_export();
   add_import();
   add_grade();
+  add_radiosity();
 }
 
 void CommandParser::add_window() {
@@ -114,6 +116,41 @@ void CommandParser::add_grade() {
   add(app, "--pass", arguments.pass, "SCORE",
       {"Exit with 1 where the score is below this, 0 to 100", "点数がこれより低ければ終了状態を 1 にする（0〜100）"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+}
+
+void CommandParser::add_radiosity() {
+  CLI::App& app =
+      add_bare_command("radiosity", "SCENE",
+                       {"Solve a scene's light by radiosity", "シーンの光をラジオシティ法で求める"}, run_radiosity);
+  add_set(app);
+  add_parameter(
+      app, "--form-factors", "radiosity.form_factors", "METHOD",
+      {"closed-form, nusselt, hemicube or monte-carlo", "closed-form、nusselt、hemicube、monte-carlo のどれか"});
+  add_parameter(app, "--resolution", "radiosity.resolution", "R",
+                {"Pixels a side of the hemicube's top, 16 to 1024", "ヘミキューブ上面の一辺の画素数。16 から 1024"});
+  add_parameter(app, "--samples", "radiosity.samples", "S",
+                {"S x S positions a patch, 1 to 16", "パッチごとに S×S 個の位置。1 から 16"});
+  add_parameter(app, "--patch-size", "radiosity.patch_size", "P",
+                {"No side of a patch is longer, metres", "パッチの辺の上限（m）"});
+  add_parameter(app, "--solver", "radiosity.solver", "S",
+                {"jacobi, gauss-seidel, southwell, progressive or lu",
+                 "jacobi、gauss-seidel、southwell、progressive、lu のどれか"});
+  add_parameter(
+      app, "--residual", "radiosity.residual", "E",
+      {"Stop where B is no further off than this, of the brightest", "B の誤差が最大値のこの割合以下になれば止める"});
+  add(app, "--form-factor", arguments.form_factor, "A,B",
+      {"Print the form factor from object A to object B", "物体 A から B への形態係数を表示する"});
+  add(app, "-o,--output", arguments.output, "SOLUTION",
+      {"The solution, a PLY with the light of each vertex", "解（頂点ごとの光を持つ PLY）の保存先"});
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
+  add_threads(app);
+}
+
+void CommandParser::add_parameter(CLI::App& app, const char* name, const char* path, const char* type, Words help) {
+  app.add_option_function<std::string>(
+         name, [this, path](const std::string& v) { arguments.set.push_back(std::string(path) + "=" + v); }, say(help))
+      ->type_name(type)
+      ->group(options_group());
 }
 
 void CommandParser::add_other(const CommandOffer& offer) {

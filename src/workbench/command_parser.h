@@ -48,6 +48,7 @@ class CommandParser {
   void add_export();
   void add_import();
   void add_grade();
+  void add_radiosity();
   void add_other(const CommandOffer& offer);
   // Options of several commands.
   void add_threads(CLI::App& app);
@@ -67,6 +68,8 @@ class CommandParser {
   CLI::Option* add(CLI::App& app, const char* name, Value& value, const char* type, Words help) {
     return app.add_option(name, value, say(help))->type_name(type)->group(options_group());
   }
+  // A short cut for --set PATH=VALUE.
+  void add_parameter(CLI::App& app, const char* name, const char* path, const char* type, Words help);
   void add_flag(CLI::App& app, const char* name, bool& value, Words help) {
     app.add_flag(name, value, say(help))->group(options_group());
   }

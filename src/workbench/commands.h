@@ -18,6 +18,7 @@ struct Arguments {
   std::string pixel;  // x,y
   std::string output, format;
   std::string target, pass;  // of a grade
+  std::string form_factor;   // A,B of radiosity
   bool json = false;
   std::string report;  // a folder
   bool check = false, quick = false;
