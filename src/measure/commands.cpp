@@ -91,7 +91,7 @@ int run_trade_command(const Arguments& a, std::span<const Technique> techniques,
   const Knob& knob = find_knob(a.knob);
   const TradeOptions options = options_of(a);
   Arguments named = a;
-  if (named.scene.empty()) named.scene = "teapot";
+  if (named.scene.empty()) named.scene = knob.scene.empty() ? "teapot" : knob.scene;
   const Scene scene = scene_for(named, language);
   std::optional<Tree> earlier;
   if (!a.against.empty()) {

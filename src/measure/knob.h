@@ -82,8 +82,9 @@ struct Abscissa {
 struct Knob {
   std::string_view id;
   Words name;
-  Words help;                  // what is turned and what one sees, a sentence or two
-  std::string_view parameter;  // the path that it turns ("objects.0.tessellation"), or the choice ("--size")
+  Words help;                   // what is turned and what one sees, a sentence or two
+  std::string_view parameter;   // the path that it turns ("objects.0.tessellation"), or the choice ("--size")
+  std::string_view scene = {};  // what it is shown with where none is named; empty: whatever is usual
   Abscissa abscissa;
   Words labels = {};  // what the numbers at the points are; empty: x
   Words reference;    // what a setting is compared with

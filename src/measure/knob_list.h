@@ -15,5 +15,10 @@ Knob multisampling_knob();
 Knob resolution_knob();
 Knob near_plane_knob();
 Knob z_fighting_knob();
+Knob radiosity_positions_knob();
+Knob radiosity_resolution_knob();
+Knob radiosity_rays_knob();
+Knob radiosity_patches_knob();
+Knob radiosity_residual_knob();
 
 }  // namespace cg

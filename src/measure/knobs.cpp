@@ -6,9 +6,22 @@ namespace cg {
 
 std::span<const Knob> knobs() {
   static const std::vector<Knob> all{
-      shading_knob(),    terminator_knob(), normals_knob(),       silhouette_knob(),
-      precision_knob(),  reflection_knob(), supersampling_knob(), multisampling_knob(),
-      resolution_knob(), near_plane_knob(), z_fighting_knob(),
+      shading_knob(),
+      terminator_knob(),
+      normals_knob(),
+      silhouette_knob(),
+      precision_knob(),
+      reflection_knob(),
+      supersampling_knob(),
+      multisampling_knob(),
+      resolution_knob(),
+      near_plane_knob(),
+      z_fighting_knob(),
+      radiosity_positions_knob(),
+      radiosity_resolution_knob(),
+      radiosity_rays_knob(),
+      radiosity_patches_knob(),
+      radiosity_residual_knob(),
   };
   return all;
 }

@@ -14,8 +14,8 @@ namespace cg {
 
 namespace {
 
-constexpr const char* usual_scene = "teapot";  // as of the command trade
-constexpr int small = 256, few = 3;            // pixels a side, and repeats: a minute for all on two cores
+constexpr std::string_view usual_scene = "teapot";  // as of the command trade
+constexpr int small = 256, few = 3;                 // pixels a side, and repeats: a minute for all on two cores
 
 Html say(Words words, Language language) { return text(words.in(language)); }
 
@@ -83,7 +83,8 @@ ReportPart trades_part(std::span<const Technique> techniques, int threads, Langu
     std::optional<Trade> trade;
     std::optional<Text> problem;
     try {
-      trade = run_trade(knob, usual_scene, open_scene(usual_scene), techniques, options, progress);
+      const std::string scene(knob.scene.empty() ? usual_scene : knob.scene);
+      trade = run_trade(knob, scene, open_scene(scene), techniques, options, progress);
       for (const PredictionCheck& check : trade->checks) ++slopes, agree += check.agrees;
     } catch (const InputError& e) {  // the scene or a driver cannot
       problem = Text{e.message(Language::english), e.message(Language::japanese)};

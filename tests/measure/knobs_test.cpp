@@ -88,7 +88,11 @@ INSTANTIATE_TEST_SUITE_P(Small, SlopeTest,
                                          Expected{"reflection", "uv-sphere", 256},
                                          Expected{"supersampling", "torus-knot", 48},
                                          Expected{"resolution", "torus-knot", 512},
-                                         Expected{"near-plane", "torus", 128}, Expected{"z-fighting", "torus", 256}),
+                                         Expected{"near-plane", "torus", 128}, Expected{"z-fighting", "torus", 256},
+                                         Expected{"radiosity-positions", "closed-cube.obj", 1},
+                                         Expected{"radiosity-resolution", "closed-cube.obj", 1},
+                                         Expected{"radiosity-rays", "closed-cube.obj", 1},
+                                         Expected{"radiosity-residual", "closed-cube.obj", 1}),
                          [](const auto& info) {
                            std::string name = info.param.knob;
                            std::replace(name.begin(), name.end(), '-', '_');

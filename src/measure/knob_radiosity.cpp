@@ -1,0 +1,166 @@
+// How large patches may be, and when a solver stops.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "measure/knob_list.h"
+#include "measure/radiosity_parts.h"
+#include "radiosity/solution.h"
+#include "scene/cpu_clock.h"
+
+namespace cg {
+
+namespace {
+
+// The mean radiosity of each face; what it cost is all of it.
+Frame face_means(const Setting& setting, std::span<const Technique>, Progress& progress) {
+  CpuClock clock;
+  const SolutionHandle s = solve_radiosity(setting.scene, setting.scene.radiosity, nullptr, progress);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<glm::dvec3, double>> faces;
+  for (std::size_t i = 0; i < s->radiosity.size(); ++i) {
+    const Patch& p = s->patches->patches[i];
+    auto& [power, area] = faces[{p.object, p.face}];
+    power += p.area * s->radiosity[i];
+    area += p.area;
+  }
+  Frame frame;
+  frame.cpu_ms = clock.lap_ms();
+  frame.colour = ColourImage(int(faces.size()), 1);
+  int x = 0;
+  for (const auto& [face, sum] : faces) frame.colour.at(x++, 0) = glm::vec3(sum.first / sum.second);
+  return frame;
+}
+
+double longest_side(const Scene& scene) {
+  double longest = 0;
+  for (const Object& o : scene.objects)
+    if (o.visible && o.mesh) {
+      const glm::dvec3 side = (o.mesh->high() - o.mesh->low()) * glm::abs(o.transform.scale);
+      longest = std::max(longest, std::max(side.x, std::max(side.y, side.z)));
+    }
+  return longest;
+}
+
+Ladder patch_ladder(const TradeRequest& request) {
+  Ladder out;
+  Scene scene = scene_of_few_patches(request);
+  scene.radiosity.form_factors = FormFactors::closed_form;
+  scene.radiosity.residual = 1e-8;
+  const double side = longest_side(scene);
+  const auto with = [&](int parts) {
+    scene.radiosity.patch_size = side / parts * (1 + 1e-9);
+    Setting s = radiosity_setting(scene, "patch-" + std::to_string(parts), side / parts, 0);
+    s.label = {"1/" + std::to_string(parts), "1/" + std::to_string(parts)};
+    return s;
+  };
+  for (const int parts : {8, 6, 4, 3, 2, 1}) out.settings.push_back(with(parts));
+  out.references.push_back(with(16));
+  return out;
+}
+
+// B of all patches; what it cost is the solver alone.
+Frame light(const Setting& setting, std::span<const Technique>, Progress& progress) {
+  Scene scene = setting.scene;
+  scene.radiosity.form_factors = FormFactors::closed_form;
+  const Patches patches = make_patches(scene, scene.radiosity, progress);
+  const FormFactorMethod method = form_factor_method(patches, scene.radiosity);
+  std::vector<double> area;
+  for (const Patch& p : patches.patches) area.push_back(p.area);
+  const MatrixPlan plan = plan_matrix(area.size(), method, scene.radiosity.memory, progress);
+  Solver solver(system_of(patches, FormFactorMatrix::make(plan, method, area, patches.closed, 1, progress)),
+                scene.radiosity);
+  CpuClock clock;
+  solver.run(progress);
+  Frame frame;
+  frame.cpu_ms = clock.lap_ms();
+  const std::vector<glm::dvec3> b = solver.radiosity();
+  frame.colour = ColourImage(int(b.size()), 1);
+  for (std::size_t i = 0; i < b.size(); ++i) frame.colour.at(int(i), 0) = glm::vec3(b[i]);
+  return frame;
+}
+
+Ladder residual_ladder(const TradeRequest& request) {
+  Ladder out;
+  Scene scene = scene_of_few_patches(request);
+  for (const RadiositySolver solver : {RadiositySolver::jacobi, RadiositySolver::gauss_seidel,
+                                       RadiositySolver::southwell, RadiositySolver::progressive}) {
+    scene.radiosity.solver = solver;
+    for (int decade = 6; decade >= 1; --decade) {
+      scene.radiosity.residual = std::pow(10, -decade);
+      out.settings.push_back(radiosity_setting(
+          scene, std::string(names_of<RadiositySolver>[std::size_t(solver)].id) + "-" + std::to_string(decade),
+          scene.radiosity.residual, std::size_t(solver)));
+    }
+  }
+  scene.radiosity.solver = RadiositySolver::lu;
+  out.references.push_back(radiosity_setting(scene, "lu", 1, 0));
+  out.references.back().label = Words{"LU", "LU 分解"};
+  return out;
+}
+
+}  // namespace
+
+Knob radiosity_patches_knob() {
+  Knob k;
+  k.scene = "models/closed-cube.json";
+  k.errors = relative_errors;
+  k.id = "radiosity-patches";
+  k.name = {"Patch size", "パッチの大きさ"};
+  k.help = {"One radiosity a patch: how small must they be? Exact form factors, each wall's mean compared.",
+            "パッチごとにラジオシティは一つ。どこまで細かくすべきか。形態係数は厳密、壁の平均で比べる。"};
+  k.parameter = "radiosity.patch_size";
+  k.abscissa = {"h", {"side of a patch", "パッチの一辺"}, "m"};
+  k.labels = {"share of the longest side", "最も長い辺に対する比"};
+  k.reference = {"patches of a sixteenth of the longest side", "最も長い辺の 1/16 のパッチ"};
+  k.error = {"RMS of the walls' mean radiosity, over that of the means",
+             "壁ごとの平均ラジオシティの誤差の RMS ÷ 平均の RMS"};
+  k.series = {{"means", {"Mean of each wall", "壁ごとの平均"}}};
+  k.predictions = {
+      {.order = 2,
+       .law = "h^2",
+       .why = {"A constant a patch is off by its gradient, as h, but the means of errors cancel to h^2.",
+               "パッチごとに一定とした誤差は勾配に比例し h だが、平均では打ち消し合って h^2 になる。"},
+       .otherwise = {"Where walls meet, the light's gradient has no limit, and the order is a little less.",
+                     "壁どうしが接する所では勾配が発散し、次数は 2 より少し小さくなる。"},
+       .source = "James Arvo, Kenneth Torrance, Brian Smits, A Framework for the Analysis of Error in "
+                 "Global Illumination Algorithms, 1994"}};
+  k.bend_low = {"the reference is not much finer there.", "基準の細かさに近い。"};
+  k.bend_high = {"a patch is a whole wall there.", "パッチが壁全体になっている。"};
+  k.draw = face_means;
+  k.ladder = patch_ladder;
+  return k;
+}
+
+Knob radiosity_residual_knob() {
+  Knob k;
+  k.scene = "models/closed-cube.json";
+  k.errors = relative_errors;
+  k.id = "radiosity-residual";
+  k.name = {"When the solver stops", "解法をいつ止めるか"};
+  k.help = {"Each iterative solver, stopped at larger and larger residuals, against LU.",
+            "反復解法を残差の大きさを変えて止め、LU 分解の解と比べる。"};
+  k.parameter = "radiosity.residual";
+  k.abscissa = {"ε", {"residual over 1 − ρ_max", "残差 ÷（1 − ρ の最大値）"}};
+  k.reference = {"LU decomposition", "LU 分解"};
+  k.error = {"largest error of B, over the largest B", "B の最大誤差 ÷ B の最大値"};
+  k.plotted = ErrorKind::max;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Name& name = names_of<RadiositySolver>[i];
+    k.series.push_back({name.id, name.label});
+    k.predictions.push_back(
+        {.series = i,
+         .of = ErrorKind::max,
+         .order = 1,
+         .law = "ε^1",
+         .why = {"The error is the residual times the inverse of 1 − ρF, whose norm is 1/(1 − ρ) at most.",
+                 "誤差は残差に 1 − ρF の逆行列をかけたもので、そのノルムは 1/(1 − ρ) 以下。"},
+         .source = "Steven Gortler, Michael Cohen, Philipp Slusallek, Radiosity and Relaxation Methods, 1994"});
+  }
+  k.bend_low = {"the digits of the picture's floats are what is left.", "残るのは float の丸め。"};
+  k.bend_high = {"few sweeps were made there.", "まだ数回しか反復していない。"};
+  k.draw = light;
+  k.ladder = residual_ladder;
+  return k;
+}
+
+}  // namespace cg
