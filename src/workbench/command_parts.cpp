@@ -8,6 +8,7 @@
 #include "params/numbers.h"
 #include "workbench/open.h"
 #include "workbench/progress_line.h"
+#include "workbench/scene_radiosity.h"
 #include "workbench/technique_list.h"
 
 namespace cg {
@@ -79,6 +80,16 @@ Scene scene_for(const Arguments& a, Language language) {
   for (const std::string& set : a.set) set_parameter(scene, set);
   if (!a.set.empty()) load_meshes(scene);
   return scene;
+}
+
+void solve_for_command(Scene& scene, const View& view, Language language) {
+  if (!wants_radiosity(scene)) return;
+  Progress progress;
+  const ProgressLine line(progress, std::string(Words{"Radiosity", "ラジオシティ"}.in(language)));
+  const SceneRadiosity solved = solve_scene(scene, {}, progress, view.threads);
+  for (const Text& note : solved.solution->notes)
+    std::fprintf(stderr, "shadebench: radiosity: %s\n", note.in(language).c_str());
+  scene.radiosity_field = solved.field;
 }
 
 const Technique& technique_for(const std::string& id, std::initializer_list<std::string_view> usual,

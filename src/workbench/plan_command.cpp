@@ -115,7 +115,8 @@ int run_plan(const Arguments& a, std::span<const Technique> techniques, Language
     throw bad_option("--repeats", a.repeats,
                      {"give a whole number from 0, which draws nothing, to 1000",
                       "0（描画しない）から 1000 の整数を指定してください"});
-  const Scene scene = scene_for(a, language);
+  Scene scene = scene_for(a, language);
+  solve_for_command(scene, view, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   MeasuredPlan m;
   if (*repeats == 0) {

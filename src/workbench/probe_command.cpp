@@ -29,7 +29,8 @@ glm::ivec2 pixel_of(const std::string& text, const View& view) {
 int run_probe(const Arguments& a, std::span<const Technique> techniques, Language language) {
   View view = view_of(a);
   const glm::ivec2 pixel = pixel_of(a.pixel, view);
-  const Scene scene = scene_for(a, language);
+  Scene scene = scene_for(a, language);
+  solve_for_command(scene, view, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   view.ids = true;
   Progress progress;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "params/slots.h"
+#include "scene/shape.h"
+#include "tests/radiosity_fields.h"
 
 namespace cg {
 namespace {
@@ -31,7 +33,10 @@ std::size_t count(const std::vector<GlCall>& calls, std::string_view function, s
 }
 
 TEST(GlCalls, EachNumberIsItsParameter) {
-  std::vector<Scene> scenes(3, rich_scene());
+  std::vector<Scene> scenes(4, rich_scene());
+  for (Object& o : scenes[3].objects) o.mesh = make_shape(*find_shape("cube"));
+  take_radiosity(scenes[3]);
+  scenes[3].shading.color_material = ColorMaterial::ambient_and_diffuse;
   scenes[1].camera.projection = Projection::orthographic;
   scenes[1].shading.color_material = ColorMaterial::specular;
   scenes[2].mistakes.no_color_material = true;
@@ -72,6 +77,31 @@ TEST(GlCalls, SayWhatAStudentWrites) {
       std::find_if(calls.begin(), calls.end(), [](const GlCall& c) { return c.variable == "light1_position"; });
   ASSERT_NE(position, calls.end());
   EXPECT_EQ(position->numbers.back(), (GlNumber{.value = 2, .path = "lights.1.w"}));
+}
+
+// The emission of what takes part follows glColor, one colour a vertex; what does not has its own, and its k_a.
+TEST(GlCalls, DrawARadiositySolutionAsEmission) {
+  Scene s;
+  s.objects.resize(3);
+  for (Object& o : s.objects) o.mesh = make_shape(*find_shape("cube"));
+  s.shading.color_material = ColorMaterial::ambient_and_diffuse;
+  EXPECT_EQ(count(gl_calls(s), "glColor3d"), 1u);
+  s.radiosity_field = cut_field(s, 0, smooth_light, {0, 1});
+  EXPECT_EQ(count(gl_calls(s), "glColor3d"), 1u);  // not asked for
+  s.shading.ambient_source = AmbientSource::radiosity;
+  const std::vector<GlCall> calls = gl_calls(s);
+  EXPECT_EQ(count(calls, "glColor3d"), 0u);
+  EXPECT_EQ(count(calls, "glColor3fv", "radiosity"), 1u);
+  EXPECT_EQ(count(calls, "glColorMaterial", "GL_EMISSION"), 1u);
+  EXPECT_EQ(count(calls, "glEnable", "GL_COLOR_MATERIAL"), 1u);  // of the first two objects together
+  EXPECT_EQ(count(calls, "glDisable", "GL_COLOR_MATERIAL"), 1u);
+  std::vector<double> ambient;
+  for (const GlCall& c : calls)
+    if (c.function == "glMaterialfv" && c.tokens[1] == "GL_AMBIENT") ambient.push_back(c.numbers[0].value);
+  EXPECT_EQ(ambient, (std::vector<double>{0, s.material.color.r}));
+  // The two mistakes with colours leave it out.
+  s.mistakes.no_gate = true;
+  EXPECT_EQ(count(gl_calls(s), "glColor3fv", "radiosity"), 0u);
 }
 
 TEST(GlCalls, EndAtOpenGlsLimits) {
