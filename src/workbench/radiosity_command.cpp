@@ -119,15 +119,17 @@ std::string seconds_text(double s) { return number_text(std::round(s * 1e3) / 1e
 // An error, rounded up to one digit: 3e-7.
 std::string error_text(double v) {
   if (!(v > 0)) return "0";
-  const double unit = std::pow(10, std::floor(std::log10(v)));
-  return number_text(std::ceil(v / unit)) + "e" + number_text(std::floor(std::log10(v)));
+  double exponent = std::floor(std::log10(v)), digit = std::ceil(v / std::pow(10, exponent) - 1e-9);
+  if (digit > 9) digit = 1, ++exponent;
+  return number_text(digit) + "e" + number_text(exponent);
 }
 
 std::string text_of(const RadiositySolution& s, const double* factor, Language l) {
   const RadiosityFigures& f = s.figures;
   const auto line = [&](Words words, const std::string& rest) { return std::string(words.in(l)) + rest + "\n"; };
   const std::string patches = std::to_string(s.patches->patches.size()),
-                    elements = std::to_string(s.patches->elements.size()), sweeps = number_text(f.sweeps);
+                    elements = std::to_string(s.patches->elements.size()),
+                    sweeps = number_text(std::round(f.sweeps * 10) / 10);
   const std::string colon = l == Language::japanese ? "：" : ": ";
   std::string out = line({"patches", "パッチ"}, colon + patches + "  (" + seconds_text(f.patches_s) + ")");
   out += line({"elements", "要素"}, colon + elements + "  (" + seconds_text(f.elements_s) + ")");
