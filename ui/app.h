@@ -76,6 +76,7 @@ struct LectureDesk;
 class LessonPlayer;
 class MistakeJobs;
 class Panes;
+class RadiosityDesk;
 class Recorder;
 class StateDump;
 class TradeDesk;
@@ -112,7 +113,8 @@ struct App {
 
   // The pictures' own affairs. Made in the first frame; let go while the window's OpenGL context is still there.
   std::shared_ptr<Panes> panes;
-  std::shared_ptr<WorldView> world;  // the same of the view from outside
+  std::shared_ptr<WorldView> world;          // the same of the view from outside
+  std::shared_ptr<RadiosityDesk> radiosity;  // through desk_of()
   // Filled by the panes.
   Figures figures;
   DrawingHandle drawings[2];  // the newest of the left and the right technique; null before the first

@@ -7,6 +7,7 @@
 #include "ui/formula.h"
 #include "ui/layout.h"
 #include "ui/quiz.h"
+#include "ui/radiosity_desk.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -189,7 +190,7 @@ void draw_lines(App& app) {
 }  // namespace
 
 void draw_code_panel(App& app) {
-  app.code.make(app.scene, app.language(), quiz_asks(app));
+  app.code.make(scene_with_solution(app), app.language(), quiz_asks(app));
   draw_heading(app);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   if (ImGui::BeginChild("lines", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_HorizontalScrollbar))

@@ -3,6 +3,7 @@
 #pragma once
 #include <imgui.h>
 
+#include "params/slots.h"
 #include "params/words.h"
 #include "ui/pane.h"
 
@@ -17,6 +18,7 @@ void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2) = draw_pane
 // Its parts, each into the child window that is open.
 void draw_top_bar(App& app);
 void draw_parameters(App& app);
+void draw_radiosity(App& app, const Slots& all);  // of the scene, in a section of the parameters
 void draw_view_bar(App& app);
 void draw_side_panel(App& app);
 void draw_strip(App& app);       // the equation

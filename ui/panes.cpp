@@ -5,6 +5,7 @@
 #include "ui/app.h"
 #include "ui/layout.h"
 #include "ui/pane.h"
+#include "ui/radiosity_desk.h"
 #include "workbench/camera_control.h"
 #include "workbench/isolate.h"
 
@@ -151,7 +152,7 @@ void Panes::submit(App& app, const Place& place) {
   if (place.empty()) return;
   Request wanted;
   const Isolated& alone = app.peek ? *app.peek : app.isolated;
-  wanted.scene = isolated(app.scene, alone.term, alone.light);
+  wanted.scene = isolated(scene_with_solution(app), alone.term, alone.light);
   wanted.mark_clamped = app.settings.clamped;
   if (wanted.mark_clamped) wanted.scene.shading.clamp = false;
   wanted.view.width = place.width, wanted.view.height = place.height;

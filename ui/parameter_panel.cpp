@@ -121,21 +121,6 @@ void draw_material_details(App& app, const Slots& all) {
   if (app.scene.shading.color_material != ColorMaterial::off) parameters(app, all, material_prefix(app), {"color"});
 }
 
-// In the order of the lecture; what the chosen method does not use is left out.
-void draw_radiosity(App& app, const Slots& all) {
-  const Radiosity& r = app.scene.radiosity;
-  const auto rows = [&](std::initializer_list<std::string_view> names) { parameters(app, all, "radiosity.", names); };
-  rows({"patch_size", "adaptive_levels"});
-  if (r.adaptive_levels > 0) rows({"gradient"});
-  rows({"form_factors"});
-  const bool hemicube = r.form_factors == FormFactors::hemicube, rays = r.form_factors == FormFactors::monte_carlo;
-  if (hemicube) rows({"item_buffer", "resolution", "weight"});
-  rays ? rows({"rays"}) : rows({"samples", "placement"});
-  rows({"normalise", "solver"});
-  if (r.solver != RadiositySolver::lu) rows({"residual"});
-  rows({"memory"});
-}
-
 void draw_tessellation(App& app, const Slots& all) {
   const Object* o = chosen_object(app);
   const std::string path = "objects." + std::to_string(app.object) + ".tessellation";

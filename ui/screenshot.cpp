@@ -10,6 +10,7 @@
 #include "image/image_file.h"
 #include "ui/app.h"
 #include "ui/lesson_player.h"
+#include "ui/radiosity_desk.h"
 
 namespace cg {
 
@@ -17,7 +18,9 @@ bool Screenshot::wanted(App& app, bool fonts_busy) {
   if (file_.empty()) return false;
   app.animating = true;
   const bool lesson = app.lessons && (app.lessons->loading() || app.lessons->busy());
-  const bool ready = app.figures.valid && !lesson && !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
+  const bool solving = app.radiosity && app.radiosity->state().busy;
+  const bool ready =
+      app.figures.valid && !lesson && !solving && !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
   calm_ = ready ? calm_ + 1 : 0;
   return calm_ > 5 || app.now > 20;
 }

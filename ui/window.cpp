@@ -25,6 +25,7 @@
 #include "ui/lesson_player.h"
 #include "ui/measure.h"
 #include "ui/one_at_a_time.h"
+#include "ui/radiosity_desk.h"
 #include "ui/recording.h"
 #include "ui/screenshot.h"
 #include "ui/state_dump.h"
@@ -228,7 +229,7 @@ void open_lesson_at_start(App& app, const std::string& scene) {
 struct ContextUsers {
   App& app;
   ~ContextUsers() {
-    app.panes.reset(), app.world.reset();
+    app.panes.reset(), app.world.reset(), app.radiosity.reset();
     app.challenge.reset();
     app.trades.reset();
   }

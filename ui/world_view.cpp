@@ -4,6 +4,7 @@
 
 #include "ui/app.h"
 #include "ui/pane_gestures.h"
+#include "ui/radiosity_desk.h"
 #include "workbench/camera_control.h"
 #include "workbench/isolate.h"
 #include "workbench/model_library.h"
@@ -73,7 +74,7 @@ void WorldView::draw(App& app, ImVec2 size, bool divided) {
 void WorldView::submit(App& app, const Place& place) {
   if (!job_) return;
   Request wanted;
-  wanted.scene = matt(isolated(app.scene, app.isolated.term, app.isolated.light));
+  wanted.scene = matt(isolated(scene_with_solution(app), app.isolated.term, app.isolated.light));
   wanted.scene.camera = *camera_;
   wanted.view.width = place.width, wanted.view.height = place.height;
   wanted.view.threads = drawing_threads();

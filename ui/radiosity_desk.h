@@ -1,0 +1,48 @@
+// The radiosity solution of the scene in the window, solved on a thread of its own: the window never waits for it.
+#pragma once
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "ui/app.h"
+#include "workbench/scene_radiosity.h"
+#include "workbench/worker.h"
+
+namespace cg {
+
+class RadiosityDesk {
+ public:
+  // `wake` is called on another thread when there is something new.
+  explicit RadiosityDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+  // Asks for the solution where the scene's ambient term wants one and what it depends on changed since it was asked
+  // for last: not the camera, not the lights. Returns what is to be drawn: the newest solution, where the objects stand
+  // as it has them; else null.
+  RadiosityHandle update(const Scene& scene);
+
+  struct State {
+    bool busy = false;
+    float fraction = 1;
+    SceneRadiosity newest;        // null before the first
+    std::optional<Text> message;  // why there is none for what was asked last
+  };
+  State state() const;
+
+ private:
+  void solve(Scene scene, Progress& progress);
+
+  const std::function<void()> wake_;
+  std::optional<Scene> asked_;  // radiosity_inputs() of the scene that was asked for last
+  mutable std::mutex mutex_;    // guards what follows
+  SceneRadiosity newest_;
+  Scene solved_;  // radiosity_inputs() of newest_
+  std::optional<Text> message_;
+  Worker worker_;  // last: it uses what stands above
+};
+
+RadiosityDesk& desk_of(App& app);
+
+// The scene with the solution that is drawn in it.
+Scene scene_with_solution(App& app);
+
+}  // namespace cg
