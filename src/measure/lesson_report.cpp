@@ -61,8 +61,8 @@ std::vector<ReportFact> facts_of(std::span<const Technique> techniques, const Re
   const std::string size = std::to_string(options.timed) + "×" + std::to_string(options.timed);
   const std::string threads = std::to_string(options.threads);
   out.push_back({{"Frame times", "描画時間"},
-                 {"median, least and greatest of frames of " + size + " on the clock, read back; software on " + threads +
-                      " threads. CPU: processor time of all threads",
+                 {"median, least and greatest of frames of " + size + " on the clock, read back; software on " +
+                      threads + " threads. CPU: processor time of all threads",
                   size + " 画素の 1 フレームを描き、読み戻すまでの実時間。中央値と、最小・最大。ソフトウェアは " +
                       threads + " スレッド。CPU は全スレッドの合計"}});
   out.push_back(

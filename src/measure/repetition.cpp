@@ -1,7 +1,7 @@
 #include "measure/repetition.h"
 
-#include "params/input_error.h"
 #include "measure/verdict.h"
+#include "params/input_error.h"
 #include "params/numbers.h"
 
 namespace cg {

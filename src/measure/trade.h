@@ -17,8 +17,8 @@ struct TradeOptions {
 };
 
 // Of the repeats: the median, the least and the greatest. Where the machine stays as it is, the median of nine new
-// repeats lies between the least and the greatest of nine others in 97 of 100 runs: it takes five of one nine beyond all
-// of the other, C(9,5)/C(18,5) a side. (Between their quartiles it would lie in about half of the runs.)
+// repeats lies between the least and the greatest of nine others in 97 of 100 runs: it takes five of one nine beyond
+// all of the other, C(9,5)/C(18,5) a side. (Between their quartiles it would lie in about half of the runs.)
 struct Spread {
   double low = 0, median = 0, high = 0;
 };
