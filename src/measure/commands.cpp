@@ -45,7 +45,10 @@ TradeOptions options_of(const Arguments& a) {
   if (!a.size.empty()) options.width = view.width, options.height = view.height;
   if (!a.threads.empty()) options.threads = view.threads;
   options.technique = a.technique;
-  if (a.repeats.empty()) return options;
+  if (a.repeats.empty()) {
+    options.seconds = usual_seconds;
+    return options;
+  }
   const auto repeats = whole_number(a.repeats, 1, most_repeats);
   if (!repeats)
     throw bad_option("--repeats", a.repeats,
@@ -121,29 +124,32 @@ std::vector<CommandOffer> measure_commands() {
       .help = {"Measure a knob's speed against its accuracy", "調整項目の速さと正確さの関係を測る"},
       .run = run_trade_command,
       .words = {{"KNOB", &Arguments::knob}, {"SCENE", &Arguments::scene}},
-      .options =
-          {{"-o,--output",
-            "DIR",
-            {"Write the table (csv, json) and the plot (svg) here", "表（csv、json）と図（svg）の保存先"},
-            &Arguments::output},
-           {"--repeats", "N", {"Each setting is timed so often, 9", "各設定の測定回数。既定は 9"}, &Arguments::repeats},
-           {"--against",
-            "FILE",
-            {"An earlier run's json: are the errors the same, the times within its spread",
-             "前回の json と比べる（誤差が同じか、時間がその幅に入るか）"},
-            &Arguments::against},
-           {"--technique",
-            "T",
-            {"How it is drawn, where the knob leaves a choice", "手法（調整項目が選べるとき）"},
-            &Arguments::technique},
-           {.names = "--list",
-            .type = nullptr,
-            .help = {"The knobs, what theory predicts, and where that stands", "調整項目と理論の予測、その出典"},
-            .flag = &Arguments::list},
-           {.names = "--json",
-            .type = nullptr,
-            .help = {"One JSON object on stdout", "JSON で出力する"},
-            .flag = &Arguments::json}},
+      .options = {{"-o,--output",
+                   "DIR",
+                   {"Write the table (csv, json) and the plot (svg) here", "表（csv、json）と図（svg）の保存先"},
+                   &Arguments::output},
+                  {"--repeats",
+                   "N",
+                   {"Each setting is timed so often; else 9 times, and more for 10 seconds",
+                    "各設定の測定回数。省略すると 9 回以上、10 秒間"},
+                   &Arguments::repeats},
+                  {"--against",
+                   "FILE",
+                   {"An earlier run's json: are the errors the same, the times within its spread",
+                    "前回の json と比べる（誤差が同じか、時間がその幅に入るか）"},
+                   &Arguments::against},
+                  {"--technique",
+                   "T",
+                   {"How it is drawn, where the knob leaves a choice", "手法（調整項目が選べるとき）"},
+                   &Arguments::technique},
+                  {.names = "--list",
+                   .type = nullptr,
+                   .help = {"The knobs, what theory predicts, and where that stands", "調整項目と理論の予測、その出典"},
+                   .flag = &Arguments::list},
+                  {.names = "--json",
+                   .type = nullptr,
+                   .help = {"One JSON object on stdout", "JSON で出力する"},
+                   .flag = &Arguments::json}},
       .draws = true};
   return {std::move(trade), extremes_command(), lessons_command()};
 }

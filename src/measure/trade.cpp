@@ -3,6 +3,7 @@
 #include "measure/trade.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -19,11 +20,16 @@ namespace {
 class Runner {
  public:
   Runner(const Knob& knob, std::span<const Technique> techniques, const TradeOptions& options, Progress& progress)
-      : knob_(knob), techniques_(techniques), repeats_(std::max(options.repeats, 1)), progress_(progress) {}
+      : knob_(knob),
+        techniques_(techniques),
+        repeats_(std::max(options.repeats, 1)),
+        seconds_(options.seconds),
+        progress_(progress) {}
 
   void run(Trade& trade) {
     Ladder& ladder = trade.ladder;
-    total_ = ladder.references.size() + ladder.settings.size() * std::size_t(1 + repeats_);
+    untimed_ = ladder.references.size() + ladder.settings.size();
+    timed_ = ladder.settings.size() * std::size_t(repeats_);
     for (Setting& s : ladder.settings) load_meshes(s.scene);
     trade.points.resize(ladder.settings.size());
     find_errors(trade);
@@ -35,8 +41,22 @@ class Runner {
     if (progress_.cancelled) throw Cancelled{};
     Progress untold;
     Frame frame = knob_.draw ? knob_.draw(setting, techniques_, untold) : draw_setting(setting, techniques_, untold);
-    progress_.fraction = float(++done_) / float(total_);
+    ++done_;
+    tell();
     return frame;
+  }
+
+  // The timed rounds are done when both their number and their seconds are reached.
+  void tell() {
+    const double rounds = done_ > untimed_ ? double(done_ - untimed_) : 0;
+    const double clock = seconds_ > 0 && rounds > 0 ? since_begin() / seconds_ : 1;
+    const double share = std::min({rounds / double(timed_), clock, 1.0});
+    progress_.fraction =
+        float((double(std::min(done_, untimed_)) + share * double(timed_)) / double(untimed_ + timed_));
+  }
+
+  double since_begin() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
 
   // One reference at a time: theirs are the largest meshes and pictures.
@@ -60,9 +80,11 @@ class Runner {
     std::vector<std::vector<double>> ms(n);
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t(0));
-    for (int round = 0; round < repeats_; ++round) {
+    begin_ = std::chrono::steady_clock::now();
+    for (int round = 0; round < repeats_ || since_begin() < seconds_; ++round) {
       shuffle(order);
       for (const std::size_t i : order) ms[i].push_back(draw(trade.ladder.settings[i]).cpu_ms);
+      trade.repeats = round + 1;
     }
     for (std::size_t i = 0; i < n; ++i) trade.points[i].ms = spread_of(std::move(ms[i]));
   }
@@ -78,8 +100,10 @@ class Runner {
   const Knob& knob_;
   std::span<const Technique> techniques_;
   const int repeats_;
+  const double seconds_;
   Progress& progress_;
-  std::size_t done_ = 0, total_ = 1;
+  std::size_t done_ = 0, untimed_ = 0, timed_ = 1;
+  std::chrono::steady_clock::time_point begin_{};
   std::uint64_t random_ = 1;
 };
 
@@ -149,7 +173,6 @@ Trade run_trade(const Knob& knob, const std::string& scene_name, const Scene& sc
   Trade trade;
   trade.knob = &knob;
   trade.scene = scene_name;
-  trade.repeats = std::max(options.repeats, 1);
   trade.ladder = knob.ladder({scene, techniques, options.technique, options.width, options.height, options.threads});
   set_size(trade);
   Runner(knob, techniques, options, progress).run(trade);

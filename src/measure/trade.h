@@ -11,14 +11,18 @@ namespace cg {
 
 struct TradeOptions {
   int repeats = 9;            // rounds that are timed, at least 1; each draws every setting once, in a shuffled order
+  double seconds = 0;         // and further rounds until the timed ones have taken so long: a machine's pace drifts
   int width = 0, height = 0;  // of the picture; 0: the knob's own
   int threads = 1;
   std::string technique;  // where the knob leaves a choice; empty: the knob's own
 };
+constexpr double usual_seconds = 10;  // of a trade that a person asks for
 
 // Of the repeats: the median, the least and the greatest. Where the machine stays as it is, the median of nine new
 // repeats lies between the least and the greatest of nine others in 97 of 100 runs: it takes five of one nine beyond
-// all of the other, C(9,5)/C(18,5) a side. (Between their quartiles it would lie in about half of the runs.)
+// all of the other, C(9,5)/C(18,5) a side. (Between their quartiles it would lie in about half of the runs.) It does
+// not stay as it is: a processor's clock and its neighbours move all times of a second together, so that the repeats
+// of a fast ladder must be spread over many seconds to say what another run may find.
 struct Spread {
   double low = 0, median = 0, high = 0;
 };
@@ -47,7 +51,7 @@ struct Trade {
   const Knob* knob = nullptr;
   std::string scene;  // as it was named
   int width = 0, height = 0;
-  int repeats = 0;
+  int repeats = 0;  // rounds that were timed
   Machine machine;
   Ladder ladder;                   // without meshes: load_meshes() before drawing
   std::vector<TradePoint> points;  // of ladder.settings

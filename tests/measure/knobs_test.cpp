@@ -1,6 +1,7 @@
 // Each knob on a small picture: its slope inside its band, or the reason why not; the same errors in every run.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -170,6 +171,19 @@ TEST(TradeTest, WhatIsWrittenReadsBack) {
   EXPECT_GT(trade.points[0].ms.median, 0);
   EXPECT_LE(trade.points[0].ms.low, trade.points[0].ms.median);
   EXPECT_LE(trade.points[0].ms.median, trade.points[0].ms.high);
+}
+
+TEST(TradeTest, RoundsGoOnUntilTheSecondsAreOver) {
+  Progress progress;
+  TradeOptions options;
+  options.repeats = 2, options.seconds = 0.5;
+  options.width = options.height = 16;
+  const std::vector<Technique> all = techniques();
+  const auto begin = std::chrono::steady_clock::now();
+  const Trade trade = run_trade(find_knob("near-plane"), "plane", open_model("plane"), all, options, progress);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));
+  EXPECT_GE(trade.repeats, 2);
+  EXPECT_FLOAT_EQ(progress.fraction, 1);
 }
 
 TEST(TradeTest, ASettingsSceneIsAPresetWithoutMeshes) {
