@@ -1,7 +1,8 @@
-// bench_plain [--pairs N] [--size WxH]: what the plainest scene costs, beside what it costs in a program that was built
-// without everything else (bench_plain_only: SHADEBENCH_ONLY_PLAIN). Two processes of one source take turns, so that
-// both see the machine at the same speed; CPU time of the whole process. Prints the median of the pairs' ratios with
-// the quartiles. Not a test: a time is no promise on another machine.
+// bench_plain [--pairs N] [--size WxH] [--instructions]: what the plainest scene costs, beside what it costs in a
+// program that was built without everything else (bench_plain_only: SHADEBENCH_ONLY_PLAIN). Two processes of one source
+// take turns, so that both see the machine at the same speed; CPU time of the whole process. Prints the median of the
+// pairs' ratios with the quartiles. Not a test: a time is no promise on another machine. With --instructions it counts,
+// under Valgrind, the instructions of a picture instead, which no neighbour on the machine can disturb.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,29 +55,88 @@ Scene plain_scene(const Case& c) {
   return scene;
 }
 
+struct Drawing {
+  Scene scene;
+  Technique technique;
+  Plan plan;
+};
+
+Drawing prepare(const Case& c, const View& view) {
+  std::vector<Technique> all = gl_techniques();
+  all.push_back(software_technique());
+  Drawing d{
+      plain_scene(c), *std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.id == c.technique; }), {}};
+  find_availability(d.technique);
+  if (!d.technique.unavailable) d.plan = d.technique.plan(d.scene, view);
+  return d;
+}
+
+void draw(Drawing& d, const Case& c, const View& view) {
+  Progress progress;
+  if (c.with_plan) d.plan = d.technique.plan(d.scene, view);
+  d.technique.render(d.scene, d.plan, view, progress);
+}
+
 // Draws what it is told on stdin, a case's number a line; answers with the milliseconds, negative where it cannot.
 int work(const View& view) {
-  std::vector<Technique> all = gl_techniques();
-  for (Technique& t : all) find_availability(t);
-  all.push_back(software_technique());
   unsigned number = 0;
   while (std::scanf("%u", &number) == 1 && number < cases.size()) {
     const Case& c = cases[number];
-    const Technique& t = *std::find_if(all.begin(), all.end(), [&](const Technique& x) { return x.id == c.technique; });
-    const Scene scene = plain_scene(c);
-    Progress progress;
+    Drawing d = prepare(c, view);
     double ms = -1;
-    if (!t.unavailable) {
-      Plan plan = t.plan(scene, view);
-      t.render(scene, plan, view, progress);  // warm
+    if (!d.technique.unavailable) {
+      draw(d, c, view);  // warm
       const double begin = process_cpu_ms();
-      for (int i = 0; i < draws; ++i) {
-        if (c.with_plan) plan = t.plan(scene, view);
-        t.render(scene, plan, view, progress);
-      }
+      for (int i = 0; i < draws; ++i) draw(d, c, view);
       ms = (process_cpu_ms() - begin) / draws;
     }
     std::printf("%.17g\n", ms);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+// A case drawn so often, for a program that counts.
+int draw_only(const Case& c, int times, const View& view) {
+  Drawing d = prepare(c, view);
+  if (d.technique.unavailable) return 1;
+  for (int i = 0; i < times; ++i) draw(d, c, view);
+  return 0;
+}
+
+// Instructions that Valgrind counts while a program draws a case so often; negative where it cannot.
+double instructions(const std::string& program, std::size_t number, int times, const std::string& size) {
+  const std::string command = "valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null '" + program +
+                              "' --draw " + size + " " + std::to_string(number) + " " + std::to_string(times) + " 2>&1";
+  FILE* told = popen(command.c_str(), "r");
+  double count = -1;
+  for (char line[512]; told && std::fgets(line, sizeof line, told);) {
+    const char* at = std::strstr(line, "I   refs:");
+    if (!at) at = std::strstr(line, "I refs:");
+    if (!at) continue;
+    std::string digits;
+    for (; *at; ++at)
+      if (*at >= '0' && *at <= '9') digits += *at;
+    count = std::atof(digits.c_str());
+  }
+  return told && pclose(told) == 0 ? count : -1;
+}
+
+// The difference of five pictures and one, so that what a program does before it draws is not in it.
+int count_instructions(const std::string& all, const std::string& only, const std::string& size) {
+  std::printf("plain scene, %s, instructions a picture\n", size.c_str());
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    double picture[2];
+    for (int i = 0; i < 2; ++i) {
+      const std::string& program = i == 0 ? all : only;
+      const double one = instructions(program, k, 1, size), five = instructions(program, k, 5, size);
+      if (one < 0 || five < 0) {
+        std::printf("  %-34s not counted: is Valgrind installed?\n", cases[k].name);
+        return 1;
+      }
+      picture[i] = (five - one) / 4;
+    }
+    std::printf("  %-34s %12.0f  %.4f times the plain build\n", cases[k].name, picture[0], picture[0] / picture[1]);
     std::fflush(stdout);
   }
   return 0;
@@ -114,8 +174,11 @@ class Worker {
 
 int main(int argc, char** argv) {
   int pairs = 21;
+  bool count = false;
   std::string size = "512x512";
-  for (int i = 1; i + 1 < argc; i += 2) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--instructions") == 0) count = true;
+    if (i + 1 == argc) break;
     if (std::strcmp(argv[i], "--pairs") == 0) pairs = std::max(1, std::atoi(argv[i + 1]));
     if (std::strcmp(argv[i], "--size") == 0) size = argv[i + 1];
     if (std::strcmp(argv[i], "--work") == 0) {
@@ -123,10 +186,17 @@ int main(int argc, char** argv) {
       std::sscanf(argv[i + 1], "%dx%d", &view.width, &view.height);
       return work(view);
     }
+    if (std::strcmp(argv[i], "--draw") == 0 && i + 3 < argc) {
+      View view;
+      std::sscanf(argv[i + 1], "%dx%d", &view.width, &view.height);
+      return draw_only(cases.at(std::size_t(std::atoi(argv[i + 2]))), std::atoi(argv[i + 3]), view);
+    }
   }
   setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws on the thread that calls it
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  Worker all(self, size), only(self.parent_path() / "bench_plain_only", size);
+  const std::filesystem::path plain = self.parent_path() / "bench_plain_only";
+  if (count) return count_instructions(self, plain, size);
+  Worker all(self, size), only(plain, size);
   std::printf("plain scene, %s, CPU time a picture, %d pairs of %d pictures\n", size.c_str(), pairs, draws);
   for (std::size_t k = 0; k < cases.size(); ++k) {
     std::vector<double> ratios, ms;
