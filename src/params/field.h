@@ -66,6 +66,7 @@ constexpr Field<Owner, Value> field(Value Owner::*member, About about) {
 struct Name {
   std::string_view id;
   Words label;
+  std::string_view formerly = {};  // what older files call it; "true" and "false" are also read where they are no text
 };
 
 // Specialised next to each parameter struct and each enum (see scene/material.h).

@@ -162,8 +162,11 @@ void assign(const Slot& slot, const Tree& value) {
                        *v = *value.string();
                      },
                      [&](const Choice& c) {
-                       for (std::size_t i = 0; value.string() && i < c.names.size(); ++i)
-                         if (c.names[i].id == *value.string()) return c.set(c.object, int(i));
+                       const std::string_view id = value.string()    ? std::string_view(*value.string())
+                                                   : value.boolean() ? (*value.boolean() ? "true" : "false")
+                                                                     : "";
+                       for (std::size_t i = 0; !id.empty() && i < c.names.size(); ++i)
+                         if (id == c.names[i].id || id == c.names[i].formerly) return c.set(c.object, int(i));
                        refuse(slot, shown(value));
                      }},
              slot.value);

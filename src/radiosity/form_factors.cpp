@@ -48,7 +48,7 @@ struct WithPolygons {
 }  // namespace
 
 FormFactorMethod form_factor_method(const Patches& patches, const Radiosity& options, const MakeDrawItems& gl) {
-  const bool normalise = patches.closed && options.normalise;
+  const bool normalise = patches.closed && options.normalise != Normalise::none;
   switch (options.form_factors) {
     case FormFactors::closed_form:
     case FormFactors::nusselt:

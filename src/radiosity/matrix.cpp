@@ -109,10 +109,15 @@ double FormFactorMatrix::at(std::size_t i, std::size_t j) const { return stored(
 
 double FormFactorMatrix::stored(std::size_t i, std::size_t j) const {
   if (storage_ == Storage::dense) return doubles_ ? doubles_[i * stride_ + j] : double(floats_[i * stride_ + j]);
+  const FormFactor* found = entry(i, j);
+  return found ? double(found->value) : 0;
+}
+
+const FormFactor* FormFactorMatrix::entry(std::size_t i, std::size_t j) const {
   const auto& row = sparse_[i];
   const auto found = std::lower_bound(row.begin(), row.end(), j,
                                       [](const FormFactor& f, std::size_t patch) { return f.patch < patch; });
-  return found != row.end() && found->patch == j ? double(found->value) : 0;
+  return found != row.end() && found->patch == j ? &*found : nullptr;
 }
 
 PassingRow FormFactorMatrix::passing_row(std::size_t i, const Progress& progress) const {

@@ -58,11 +58,12 @@ struct PassingRow {
 class FormFactorMatrix {
  public:
   // Computes the rows that the plan keeps, by `threads` threads; nothing but the time depends on their number. `area`
-  // is the patches', m^2. `normalised`: the method's rows sum to 1 but for the rounding of floats. Where not all rows
-  // are kept, what the method refers to must outlive the matrix. Throws Cancelled.
+  // is the patches', m^2. `normalised`: the method's rows sum to 1 but for the rounding of floats. `reciprocal`: where
+  // all rows are kept they are changed so that also A_i F_ij = A_j F_ji, their sums staying what they are. Where not
+  // all rows are kept, what the method refers to must outlive the matrix. Throws Cancelled.
   static std::shared_ptr<const FormFactorMatrix> make(const MatrixPlan& plan, FormFactorMethod method,
                                                       std::vector<double> area, bool normalised, int threads,
-                                                      Progress& progress);
+                                                      Progress& progress, bool reciprocal = false);
   // Factors that are known, row by row: kept as doubles, not normalised.
   static std::shared_ptr<const FormFactorMatrix> of(std::span<const double> factors, std::vector<double> area);
 
@@ -113,12 +114,18 @@ class FormFactorMatrix {
   Numbers<Real> numbers(std::size_t rows) const;  // stride_ of them a row
   void make_dense(std::size_t rows, int threads, Progress& progress);
   void make_sparse(std::size_t rows, std::size_t bytes, int threads, Progress& progress);
+  void make_reciprocal(std::size_t bytes, int threads, Progress& progress);
+  void make_symmetric(int threads, Progress& progress);
+  void make_symmetric_sparse(std::size_t bytes, Progress& progress);
+  std::vector<double> balance(Progress& progress) const;
   void note(std::size_t i, const FormFactorRow& row);
   double scale_of(double sum) const;
   // work(row) with a row as it is kept: floats, doubles or entries.
   template <class Work>
   auto with_row(std::size_t i, const Work& work) const;
   double stored(std::size_t i, std::size_t j) const;  // F_ij / scale
+  // The entry of a sparse row; null: 0.
+  const FormFactor* entry(std::size_t i, std::size_t j) const;
 
   Storage storage_ = Storage::dense;
   std::size_t kept_ = 0;

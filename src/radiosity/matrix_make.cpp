@@ -100,7 +100,7 @@ void FormFactorMatrix::make_sparse(std::size_t rows, std::size_t bytes, int thre
 
 std::shared_ptr<const FormFactorMatrix> FormFactorMatrix::make(const MatrixPlan& plan, FormFactorMethod method,
                                                                std::vector<double> area, bool normalised, int threads,
-                                                               Progress& progress) {
+                                                               Progress& progress, bool reciprocal) {
   assert(plan.rows == area.size() && plan.kept_rows <= plan.rows);
   std::shared_ptr<FormFactorMatrix> m(new FormFactorMatrix);
   m->set_up(std::move(area));
@@ -111,6 +111,7 @@ std::shared_ptr<const FormFactorMatrix> FormFactorMatrix::make(const MatrixPlan&
     m->make_dense(plan.kept_rows, threads, progress);
   else
     m->make_sparse(plan.kept_rows, plan.bytes, threads, progress);
+  if (reciprocal && m->whole()) m->make_reciprocal(plan.bytes, threads, progress);
   return m;
 }
 

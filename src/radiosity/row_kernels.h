@@ -59,6 +59,18 @@ inline glm::dvec3 dot(const std::vector<FormFactor>& row, const Channels& x) {
   return {sum[0], sum[1], sum[2]};
 }
 
+// sum_j row_j x_j of one channel; a dense row and x have n numbers, whole lanes.
+inline double dot(const float* row, const double* x, std::size_t n) {
+  Lanes<double> sum{};
+  for (std::size_t j = 0; j < n; j += lanes) sum += next_lanes(row + j) * next_lanes(x + j);
+  return sum_of(sum);
+}
+inline double dot(const std::vector<FormFactor>& row, const double* x) {
+  double sum = 0;
+  for (const FormFactor& f : row) sum += double(f.value) * x[f.patch];
+  return sum;
+}
+
 // y_j += row_j x factor_j.
 template <class Real>
 void add(const Real* row, const glm::dvec3& x, const Channels& factor, Channels& y) {

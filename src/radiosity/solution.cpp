@@ -114,8 +114,9 @@ class Making {
     if (how_.announce) how_.announce(plan);
     std::vector<double> area;
     for (const Patch& p : out_->patches->patches) area.push_back(p.area);
-    out_->matrix = FormFactorMatrix::make(plan, method(), std::move(area),
-                                          out_->patches->closed && out_->options.normalise, how_.threads, progress_);
+    const Normalise normalise = out_->patches->closed ? out_->options.normalise : Normalise::none;
+    out_->matrix = FormFactorMatrix::make(plan, method(), std::move(area), normalise != Normalise::none, how_.threads,
+                                          progress_, normalise == Normalise::reciprocal);
     out_->figures.form_factors_s = lap(begin_);
     out_->figures.matrix = out_->matrix->figures(how_.threads, progress_);
     lap(begin_);
@@ -135,8 +136,24 @@ class Making {
     out_->curve = solver.curve();
     // Rows that are not kept would all have to be computed once more.
     if (out_->matrix->whole()) f.residual = solver.residual(progress_);
+    if (out_->matrix->whole() && out_->patches->closed) f.energy_error = energy_error(solver);
     if (const Text message = solver.message(); !message.en.empty()) out_->notes.push_back(message);
     lap(begin_);
+  }
+
+  // What leaves patches of a closed room, less what arrives at them, over what is emitted.
+  double energy_error(const Solver& solver) {
+    const std::vector<glm::dvec3> received = solver.part(LightPart::received, progress_);
+    glm::dvec3 lost(0), emitted(0);
+    for (std::size_t i = 0; i < received.size(); ++i) {
+      const Patch& p = out_->patches->patches[i];
+      lost += p.area * (out_->radiosity[i] - received[i]);
+      emitted += p.area * p.emission;
+    }
+    double out = 0;
+    for (int c = 0; c < 3; ++c)
+      if (emitted[c] > 0) out = std::max(out, std::abs(lost[c] / emitted[c]));
+    return out;
   }
 
   // Elements that are whole patches have the patch's light. Of the others each gathers its own, E + rho sum_j F_ej B_j.
@@ -191,6 +208,9 @@ class Making {
       out_->notes.push_back({"a row of form factors is off 1 by " + off + " in this closed scene",
                              "閉じたシーンなのに形態係数の行の和が 1 から " + off + " ずれている"});
     }
+    if (out_->patches->closed && out_->options.normalise == Normalise::reciprocal && !out_->matrix->whole())
+      out_->notes.push_back(Words{"rows sum to 1 but are not reciprocal: that takes all of them in memory",
+                                  "行の和は 1 だが相反則は成り立たない（全行を保存するメモリが必要）"});
     if (out_->patches->degenerate > 0) {
       const std::string n = std::to_string(out_->patches->degenerate);
       out_->notes.push_back({n + " faces without area take no part", "面積のない " + n + " 面は計算に入らない"});

@@ -17,6 +17,9 @@ struct RadiosityFigures {
   std::size_t matrix_bytes = 0;
   std::size_t steps = 0;
   double sweeps = 0;
+  // The share of the emitted light that patches neither absorb nor send on, where the scene is closed and all rows are
+  // kept: what row sums off 1, or factors that are not reciprocal, lose or win.
+  double energy_error = 0;
   double residual = 0;     // max norm of E - (1 - rho F) B, measured at the end
   double error_bound = 0;  // as ResidualPoint's
   SolverEnd end = SolverEnd::none;

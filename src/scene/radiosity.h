@@ -36,6 +36,14 @@ inline constexpr std::array<Name, 5> names_of<PixelWeight>{
      {"solid-angle", {"Solid angle only", "立体角だけ"}},
      {"r-squared", {"r² for r⁴", "r⁴ でなく r²"}}}};
 
+// What is done to rows of a closed scene, whose sums are known to be 1.
+enum class Normalise { none, rows, reciprocal };
+template <>
+inline constexpr std::array<Name, 3> names_of<Normalise>{
+    {{"none", {"No", "しない"}, "false"},
+     {"rows", {"Each row sums to 1", "各行の和を 1 に"}, "true"},
+     {"reciprocal", {"Rows, and A_i F_ij = A_j F_ji", "和を 1 に、相反則も"}}}};
+
 enum class RadiositySolver { jacobi, gauss_seidel, southwell, progressive, lu };
 template <>
 inline constexpr std::array<Name, 5> names_of<RadiositySolver>{
@@ -56,7 +64,7 @@ struct Radiosity {
   Placement placement = Placement::gauss;
   int rays = 1024;
   PixelWeight weight = PixelWeight::delta_form_factor;
-  bool normalise = true;
+  Normalise normalise = Normalise::rows;
   RadiositySolver solver = RadiositySolver::gauss_seidel;
   double residual = 1e-6;
   double memory = 2048;
@@ -141,9 +149,11 @@ inline constexpr auto fields_of<Radiosity> = std::tuple{
           {.name = "normalise",
            .label = {"Normalise rows", "行の和を 1 にする"},
            .help = {"In a closed scene each row of F sums to 1. A sum of 1 + δ multiplies the error to "
-                    "ρδ/(1 − ρ − ρδ), and at ρ(1 + δ) ≥ 1 nothing converges.",
+                    "ρδ/(1 − ρ − ρδ), and at ρ(1 + δ) ≥ 1 nothing converges. Where A_i F_ij = A_j F_ji holds too, no "
+                    "light is lost between patches of different size.",
                     "閉じたシーンでは F の各行の和は 1。和が 1 + δ だと誤差は ρδ/(1 − ρ − ρδ) に増え、"
-                    "ρ(1 + δ) ≥ 1 では収束しない。"}}),
+                    "ρ(1 + δ) ≥ 1 では収束しない。相反則 A_i F_ij = A_j F_ji も成り立たせると、"
+                    "大きさの違うパッチの間で光が失われない。"}}),
     field(&Radiosity::solver, {.name = "solver",
                                .label = {"Solver", "解法"},
                                .help = {"How B = E + ρ F B is solved.", "B = E + ρ F B の解き方。"}}),

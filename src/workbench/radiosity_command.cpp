@@ -83,6 +83,8 @@ Tree matrix_json(const RadiositySolution& s) {
                        {"greatest_row_sum", m.greatest_sum}};
 }
 
+bool balance_known(const RadiositySolution& s) { return s.patches->closed && s.matrix->whole(); }
+
 Tree json_of(const Arguments& a, const Scene& scene, const RadiositySolution& s, const double* factor) {
   const RadiosityFigures& f = s.figures;
   const Radiosity& o = s.options;
@@ -104,6 +106,7 @@ Tree json_of(const Arguments& a, const Scene& scene, const RadiositySolution& s,
                     {"missed", f.matrix.missed},
                     {"reciprocity_error", f.matrix.reciprocity_error},
                     {"reciprocity_relative", f.matrix.reciprocity_relative},
+                    {"energy_error", balance_known(s) ? Tree(f.energy_error) : Tree()},
                     {"steps", f.steps},
                     {"sweeps", f.sweeps},
                     {"residual", f.residual},
@@ -144,6 +147,9 @@ std::string text_of(const RadiositySolution& s, const double* factor, Language l
                                       Text(" sweeps", " スイープ").in(l) + "  (" + seconds_text(f.solve_s) + ")");
   out += line({"  B is no further off than", "  B の誤差の上限"},
               colon + error_text(f.error_bound) + Text(" of the brightest", "（B の最大値に対して）").in(l));
+  if (balance_known(s))
+    out += line({"  energy lost or won", "  エネルギー収支のずれ"},
+                colon + error_text(f.energy_error) + Text(" of the emitted", "（放射量に対して）").in(l));
   for (const Text& note : s.notes) out += "  ! " + note.in(l) + "\n";
   if (factor) out += line({"form factor", "形態係数 F"}, colon + number_text(*factor));
   return out;

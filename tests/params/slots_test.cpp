@@ -12,6 +12,7 @@ namespace cg {
 
 namespace {
 enum class Fruit { apple, pear };
+enum class Rows { none, some, all };
 struct Inner {
   double x = 0.5;
   int count = 3;
@@ -23,6 +24,7 @@ struct Sample {
   glm::dvec3 place{0, 0, 0};
   double angle = 30;
   std::string name = "n";
+  Rows rows = Rows::all;  // a bool once
   Inner inner;
   std::vector<Inner> list{Inner{}, Inner{}};
 };
@@ -30,6 +32,9 @@ struct Sample {
 
 template <>
 inline constexpr std::array<Name, 2> names_of<Fruit>{{{"apple", {"Apple", "りんご"}}, {"pear", {"Pear", "なし"}}}};
+template <>
+inline constexpr std::array<Name, 3> names_of<Rows>{
+    {{"none", {"None", "なし"}, "false"}, {"some", {"Some", "一部"}, "true"}, {"all", {"All", "全部"}}}};
 template <>
 inline constexpr auto fields_of<Inner> =
     std::tuple{field(&Inner::x, {.name = "x", .label = {"X", "X"}}),
@@ -43,6 +48,7 @@ inline constexpr auto fields_of<Sample> =
                      {.name = "place", .range = {-9, 9}, .meaning = Meaning::position, .label = {"Place", "位置"}}),
                field(&Sample::angle, {.name = "angle", .range = {0, 90}, .also = 180.0, .label = {"Angle", "角度"}}),
                field(&Sample::name, {.name = "name", .label = {"Name", "名前"}}),
+               field(&Sample::rows, {.name = "rows", .label = {"Rows", "行"}}),
                field(&Sample::inner, {.name = "inner", .label = {"Inner", "内側"}}),
                field(&Sample::list, {.name = "list", .label = {"List", "列"}})};
 
@@ -72,7 +78,8 @@ class SlotsTest : public testing::Test {
 TEST_F(SlotsTest, PathsInOrder) {
   std::string paths;
   for (const Slot& s : all) paths += s.path + " ";
-  EXPECT_EQ(paths, "on fruit colour place angle name inner.x inner.count list.0.x list.0.count list.1.x list.1.count ");
+  EXPECT_EQ(paths,
+            "on fruit colour place angle name rows inner.x inner.count list.0.x list.0.count list.1.x list.1.count ");
 }
 
 TEST_F(SlotsTest, AssignsAndResets) {
@@ -100,6 +107,18 @@ TEST_F(SlotsTest, RefusesAndSaysWhatWouldWork) {
   refusal("colour", Tree::List{0.1, 0.2}), refusal("colour", Tree::List{0.1, nan, 0.2});
   refusal("colour", Tree::List{0.1, 0.2, 1.01}), refusal("place", 1);
   refusal("inner.count", 2.5), refusal("inner.count", 11), refusal("inner.count", nan);
+}
+
+// A parameter that was a bool in older files.
+TEST_F(SlotsTest, ReadsFormerNames) {
+  assign(find_slot(all, "rows"), false);
+  EXPECT_EQ(sample.rows, Rows::none);
+  assign(find_slot(all, "rows"), true);
+  EXPECT_EQ(sample.rows, Rows::some);
+  assign_text(find_slot(all, "rows"), "false");
+  EXPECT_EQ(sample.rows, Rows::none);
+  EXPECT_EQ(slot_tree(find_slot(all, "rows")), Tree("none"));
+  refusal("fruit", true), refusal("rows", ""), refusal("rows", 1);
 }
 
 TEST_F(SlotsTest, ReadsText) {

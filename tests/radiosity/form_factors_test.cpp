@@ -180,7 +180,7 @@ TEST(FormFactors, RowsOfAClosedCubeSumToOne) {
     EXPECT_NEAR(row.sum, 1, 2e-4);
     EXPECT_NEAR(sum_of(row), 1, 1e-6);  // normalised, in float
   }
-  options.normalise = false;
+  options.normalise = Normalise::none;
   EXPECT_NEAR(sum_of(row_of(cube, 3, options)), 1 + 1.32e-4, 2e-6);
   options.weight = PixelWeight::integrated;
   EXPECT_NEAR(row_of(cube, 3, options).sum, 1, 1e-7);
