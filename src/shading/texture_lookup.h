@@ -19,19 +19,17 @@ struct Footprint {
   Vec2<Real> uv, dx{Real(0)}, dy{Real(0)};
 };
 
-// What wraps as a number, brought to where its texel can be counted: 0..1 (repeat), 0..2 (mirror), -1..2 (else). NaN
-// is 0. Exact wherever the texel is.
+// What wraps as a number, brought to where its texels can be counted: 0..1 (repeat, mirror) or -1..2. NaN is 0. Exact
+// wherever the texel is.
 template <class Real>
 Real wrapped(Wrap wrap, Real u) {
-  switch (wrap) {
-    case Wrap::repeat:
-      u -= std::floor(u);
-      break;
-    case Wrap::mirror:
-      u -= Real(2) * std::floor(u / Real(2));
-      break;
-    default:
-      u = u > Real(-1) ? (u < Real(2) ? u : Real(2)) : (u <= Real(-1) ? Real(-1) : u);
+  if (wrap == Wrap::repeat) {
+    u -= std::floor(u);
+  } else if (wrap == Wrap::mirror) {
+    u -= Real(2) * std::floor(u / Real(2));
+    if (u > Real(1)) u = Real(2) - u;
+  } else {
+    u = u > Real(-1) ? (u < Real(2) ? u : Real(2)) : (u <= Real(-1) ? Real(-1) : u);
   }
   return u == u ? u : Real(0);  // an infinity minus itself, or NaN
 }
@@ -41,10 +39,7 @@ inline int wrapped_texel(Wrap wrap, int i, int size) {
   switch (wrap) {
     case Wrap::repeat:
       return (i % size + size) % size;
-    case Wrap::mirror: {
-      const int k = (i % (2 * size) + 2 * size) % (2 * size);
-      return k < size ? k : 2 * size - 1 - k;
-    }
+    case Wrap::mirror:  // the number is mirrored already
     case Wrap::clamp:
       return std::clamp(i, 0, size - 1);
     case Wrap::border:
@@ -93,10 +88,9 @@ Real level_of_detail(const TextureImage& image, const Vec2<Real>& dx, const Vec2
 template <class Real>
 Vec4<Real> texture_at_level(const TextureImage& image, const Sampling& s, const Vec2<Real>& uv, Real lambda) {
   const int last = image.levels() - 1;
-  // Equation 3.20: where a smooth magnification would meet a nearest minification the switch lies half a level higher.
-  const bool smooth = s.mag_filter == MagFilter::linear && (s.min_filter == MinFilter::nearest_mipmap_nearest ||
-                                                            s.min_filter == MinFilter::nearest_mipmap_linear);
-  if (!(lambda > (smooth ? Real(0.5) : Real(0))))
+  // The switch lies at 0 for all filters, as an implementation may choose and drivers do; the other choice is half a
+  // level where a linear magnification meets a nearest minification.
+  if (!(lambda > Real(0)))
     return s.mag_filter == MagFilter::linear ? linear_texels(image, s, 0, uv) : nearest_texel(image, s, 0, uv);
   const auto read = [&](int level) {
     return is_linear_within(s.min_filter) ? linear_texels(image, s, level, uv) : nearest_texel(image, s, level, uv);
