@@ -56,7 +56,7 @@ class Gather final : public Iteration {
   // them; what those among them have changed since is added.
   glm::dvec3 received(RowSource& rows, Progress& progress) {
     const FormFactorMatrix& m = rows.matrix();
-    if (row_ >= m.kept_rows()) return rows.times(row_, b_, progress);
+    if (row_ >= m.kept_rows() || m.storage() == Storage::sparse) return rows.times(row_, b_, progress);
     const std::size_t k = row_ % at_once, first = row_ - k;
     if (k == 0) m.times(first, b_, ahead_);
     glm::dvec3 sum = ahead_[k];

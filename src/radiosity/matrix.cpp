@@ -43,7 +43,7 @@ void transpose(const Real* from, Real* to, std::size_t n, std::size_t stride) {
 
 void FormFactorMatrix::set_up(std::vector<double> area) {
   area_ = std::move(area);
-  stride_ = (area_.size() + lanes - 1) / lanes * lanes;
+  stride_ = dense_stride(area_.size());
   scale_.assign(area_.size(), 1.0);
   sums_.assign(area_.size(), 0.0);
 }

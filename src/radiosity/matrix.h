@@ -129,7 +129,7 @@ class FormFactorMatrix {
 
   Storage storage_ = Storage::dense;
   std::size_t kept_ = 0;
-  std::size_t stride_ = 0;  // numbers from one dense row to the next: whole lanes, filled up with zeros
+  std::size_t stride_ = 0;  // dense_stride(); filled up with zeros
   Numbers<float> floats_;
   Numbers<double> doubles_;  // instead of the floats where factors are known
   std::vector<std::vector<FormFactor>> sparse_;

@@ -29,7 +29,7 @@ double mean_entries(std::size_t rows, const FormFactorMethod& method, const Prog
 MatrixPlan plan_matrix(std::size_t rows, const FormFactorMethod& method, double memory, const Progress& progress) {
   MatrixPlan plan{.rows = rows, .kept_rows = rows};
   const double budget = memory * mebibyte, n = double(rows);
-  const double dense_row = std::ceil(n / lanes) * lanes * sizeof(float);
+  const double dense_row = double(dense_stride(rows) * sizeof(float));
   double row_bytes = dense_row, share = 1;
   if (rows > few_rows || n * dense_row > budget) {
     const double entries = rows > tried_rows ? mean_entries(rows, method, progress) : n;

@@ -7,6 +7,13 @@
 
 namespace cg {
 
+// Numbers from one dense row to the next: an odd number of cache lines, so that neighbouring rows, which are read at
+// once, do not fall into the same places of the cache.
+inline std::size_t dense_stride(std::size_t size) {
+  constexpr std::size_t line = 64 / sizeof(float);
+  return ((size + line - 1) / line | 1) * line;
+}
+
 // What a row that is kept sparse takes.
 inline std::size_t sparse_row_bytes(std::size_t entries) {
   return entries * sizeof(FormFactor) + sizeof(std::vector<FormFactor>) + 16;  // 16: of the allocation

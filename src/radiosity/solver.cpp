@@ -72,18 +72,15 @@ Solver::Parts::Parts(RadiositySystem system, const Radiosity& options, int threa
       bounce(bounce_of(system)),
       data(data_of(std::move(system), bounce, options)),
       rows(data->system.matrix, threads),
-      iteration(make_iteration(data, kind)) {
+      iteration(make_iteration(data, kind)),
+      stride(iteration->unshot() ? std::max<std::size_t>(1, iteration->steps_a_sweep() / 16)
+                                 : iteration->steps_a_sweep()) {
   begin();
 }
 
 double Solver::Parts::factor() const {
   if (absorbs(bounce.closed)) return 1 / (1 - bounce.closed);
   return absorbs(bounce.most) ? 1 / (1 - bounce.most) : 1;
-}
-
-std::size_t Solver::Parts::stride() const {
-  const std::size_t n = iteration->steps_a_sweep();
-  return iteration->unshot() ? std::max<std::size_t>(1, n / 16) : n;
 }
 
 // What is known without a step.
@@ -103,7 +100,7 @@ void Solver::Parts::step(Progress& progress) {
   iteration->step(rows, progress);
   ++steps;
   if (const auto standing = iteration->standing()) judge(*standing);
-  if (steps % stride() != 0) return;
+  if (steps % stride != 0) return;
   lap();
   history.remember(steps, seconds, *iteration);
   start();
@@ -125,7 +122,7 @@ void Solver::Parts::judge(const Standing& s) {
     end = SolverEnd::converged;
   else if (s.residual <= digits_of_double * s.brightest)
     end = SolverEnd::rounding;
-  if (s.swept || end != SolverEnd::none || steps % stride() == 0) note(bound, may_grow && s.swept);
+  if (s.swept || end != SolverEnd::none || steps % stride == 0) note(bound, may_grow && s.swept);
 }
 
 void Solver::Parts::note(double bound, bool may_grow) {

@@ -22,6 +22,7 @@ struct Solver::Parts {
   std::shared_ptr<const SolverData> data;
   RowSource rows;
   std::unique_ptr<Iteration> iteration;
+  std::size_t stride;  // between two states that are remembered, and between two points of a shooting solver's curve
   SolverHistory history;
   std::vector<ResidualPoint> curve;
   std::size_t steps = 0;
@@ -33,8 +34,6 @@ struct Solver::Parts {
 
   std::size_t size() const { return data->emission.size(); }
   double factor() const;
-  // Between two states that are remembered, and between two points of a shooting solver's curve.
-  std::size_t stride() const;
   void begin();
   // The clock runs from start() on; lap() brings `seconds` up to now. (A step may take less than asking for the time.)
   void start() { clock = std::chrono::steady_clock::now(); }
