@@ -4,19 +4,16 @@
 
 #include <random>
 
-#include "gl/check.h"
 #include "gl/offscreen_context.h"
 #include "gl/texture_objects.h"
 #include "shading/texture_lookup.h"
+#include "tests/gl/whole_picture.h"
 
 namespace cg {
 namespace {
 
 constexpr int side = 256, reads = side * side;
 
-constexpr const char* vertex = R"(#version 330 core
-void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }
-)";
 constexpr const char* fragment = R"(#version 330 core
 uniform sampler2D image, points, footprints;
 out vec4 colour;
@@ -35,25 +32,6 @@ out vec4 colour;
 void main() { colour = texture(image, uv + gl_FragCoord.x * dx + gl_FragCoord.y * dy); }
 )";
 
-GLuint shader(GLenum kind, const char* text) {
-  const GLuint s = glCreateShader(kind);
-  glShaderSource(s, 1, &text, nullptr);
-  glCompileShader(s);
-  return s;
-}
-
-// Float textures that are fetched, not filtered.
-GLuint table(const std::vector<glm::vec4>& values, int unit) {
-  GLuint t;
-  glGenTextures(1, &t);
-  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-  glBindTexture(GL_TEXTURE_2D, t);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, side, side, 0, GL_RGBA, GL_FLOAT, values.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return t;
-}
-
 class TextureReads : public testing::Test {
  protected:
   void SetUp() override {
@@ -62,35 +40,13 @@ class TextureReads : public testing::Test {
     } catch (const NoContext& e) {
       GTEST_SKIP() << e.reason.en;
     }
-    program_ = program(fragment), affine_ = program(affine_fragment);
-    GLuint array, target, buffer;
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    glGenTextures(1, &target);
-    glBindTexture(GL_TEXTURE_2D, target);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, side, side, 0, GL_RGBA, GL_FLOAT, nullptr);
-    glGenFramebuffers(1, &buffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, buffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-    glViewport(0, 0, side, side);
-    check_gl("set up");
-  }
-
-  static GLuint program(const char* text) {
-    const GLuint p = glCreateProgram();
-    glAttachShader(p, shader(GL_VERTEX_SHADER, vertex));
-    glAttachShader(p, shader(GL_FRAGMENT_SHADER, text));
-    glLinkProgram(p);
-    return p;
+    picture_.emplace(side, fragment);
+    affine_ = WholePicture::make_program(affine_fragment);
   }
 
   std::vector<glm::vec4> draw() {
-    std::vector<glm::vec4> out(reads);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, out.data());
-    check_gl("read");
     objects_.end_frame();
-    return out;
+    return picture_->draw();
   }
 
   void bind(const TextureHandle& image, const Sampling& s) {
@@ -114,19 +70,20 @@ class TextureReads : public testing::Test {
     std::vector<glm::vec4> points(reads), footprints(reads);
     for (std::size_t i = 0; i < at.size(); ++i)
       points[i] = glm::vec4(at[i].uv, 0, 0), footprints[i] = glm::vec4(at[i].dx, at[i].dy);
-    const GLuint a = table(points, 1), b = table(footprints, 2);
-    glUseProgram(program_);
+    const GLuint a = picture_->table(points, 1), b = picture_->table(footprints, 2);
+    picture_->use();
     bind(image, s);
-    glUniform1i(glGetUniformLocation(program_, "points"), 1);
-    glUniform1i(glGetUniformLocation(program_, "footprints"), 2);
+    glUniform1i(glGetUniformLocation(picture_->program(), "points"), 1);
+    glUniform1i(glGetUniformLocation(picture_->program(), "footprints"), 2);
     const std::vector<glm::vec4> out = draw();
     glDeleteTextures(1, &a), glDeleteTextures(1, &b);
     return out;
   }
 
   std::unique_ptr<OffscreenContext> context_;
+  std::optional<WholePicture> picture_;
   TextureObjects objects_;
-  GLuint program_ = 0, affine_ = 0;
+  GLuint affine_ = 0;
 };
 
 template <class Texel>
