@@ -191,6 +191,8 @@ std::unique_ptr<BuiltFonts> build_fonts(float scale, const std::unordered_set<Im
     ImTextCharFromUtf8(&c, p, nullptr);
     (is_italic(ImWchar(c)) ? slanted : upright).AddChar(ImWchar(c));
   }
+  for (ImWchar c : wanted)  // and whatever signs the formulas of lessons have: √, ∫, Δ
+    if (c > 0xa0 && c < 0x2e80) (is_italic(c) ? slanted : upright).AddChar(c);
   upright.AddChar(' ');
   auto& [all, italics, uprights] = built->ranges;
   every.BuildRanges(&all);

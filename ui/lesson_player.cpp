@@ -246,35 +246,40 @@ void LessonPlayer::watch(App& app) {
   });
 }
 
-// The step's numbers and tasks for the scene as it stands; while it is dragged, about five times a second.
+// The step's numbers and tasks for the scene as it stands; while it is dragged, about five times a second. Work that
+// takes longer is given up where the scene has become another.
 void LessonPlayer::measure_scene(App& app) {
   const LessonStep* step = current();
   if (!step || !start_ || enter_ || (step->numbers.empty() && step->tasks.empty())) return;
   if (measured_ && *measured_ == app.scene) return;
-  if (measurer_.busy() || app.now < measure_after_) {
+  constexpr double patience = 1;  // seconds
+  if (app.now < measure_after_ + (measurer_.busy() ? patience : 0)) {
     app.next_frame = std::min(app.next_frame, std::max(measure_after_, app.now + 0.05));
     return;
   }
   measured_ = app.scene;
   measure_after_ = app.now + 0.2;
-  measurer_.submit([this, lesson = lesson_, index = step_, scene = app.scene, start = *start_](Progress& progress) {
-    const LessonStep& s = lesson->steps[index];
-    Measured out{lesson, index, {}, {}};
-    try {
-      out.numbers = compute_numbers(s, preset_of(scene, lesson->folder), lesson->folder, techniques_, progress);
-    } catch (const InputError&) {  // a model's file is gone: then there are no numbers
-    }
-    for (const LessonTask& task : s.tasks) {
-      TaskState& state = out.tasks[task.id];
-      try {
-        state.result = check_task(task, scene, start, lesson->folder, techniques_, progress);
-      } catch (const InputError& e) {
-        state.problem = Text(e.message(Language::english), e.message(Language::japanese));
-      }
-    }
-    measured_mail_.put(std::move(out));
-    wake_();
-  });
+  measurer_.submit(
+      [this, lesson = lesson_, index = step_, scene = app.scene, start = *start_](Progress& progress) {
+        const LessonStep& s = lesson->steps[index];
+        Measured out{lesson, index, {}, {}};
+        try {
+          out.numbers =
+              compute_numbers(s, preset_of(scene, lesson->folder), lesson->folder, techniques_, progress, solved_);
+        } catch (const InputError&) {  // a model's file is gone: then there are no numbers
+        }
+        for (const LessonTask& task : s.tasks) {
+          TaskState& state = out.tasks[task.id];
+          try {
+            state.result = check_task(task, scene, start, lesson->folder, techniques_, progress, solved_);
+          } catch (const InputError& e) {
+            state.problem = Text(e.message(Language::english), e.message(Language::japanese));
+          }
+        }
+        measured_mail_.put(std::move(out));
+        wake_();
+      },
+      true);
 }
 
 void LessonPlayer::update(App& app) {

@@ -121,6 +121,7 @@ class LessonPlayer {
   std::ptrdiff_t index_in_list() const;
 
   std::vector<Technique> techniques_;
+  SolvedScenes solved_;  // on the measurer's thread
   std::vector<std::filesystem::path> folders_;
   std::function<void()> wake_;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shading/ambient_term.h"
 #include "workbench/model_library.h"
 
 namespace cg {
@@ -118,7 +119,7 @@ void PaneJobs::compare(ViewMode view, double gain) {
 void PaneJobs::outline(const Scene& drawn, const OverlayChoice& choice) {
   overlay_ = overlay_mail_.take();
   const bool wanted = choice.edges || choice.face_normals || choice.vertex_normals;
-  Outline outline{wanted ? drawn.objects : std::vector<Object>{}, drawn.shading, choice};
+  Outline outline{wanted ? with_drawn_meshes(drawn).objects : std::vector<Object>{}, drawn.shading, choice};
   // What does not move a line must not have them all made again.
   for (Object& object : outline.objects) object.material = {}, object.own_material = false;
   const Shading lines_of = drawn.shading;

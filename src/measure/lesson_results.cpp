@@ -7,6 +7,7 @@
 #include "params/file.h"
 #include "params/input_error.h"
 #include "workbench/isolate.h"
+#include "workbench/scene_radiosity.h"
 #include "workbench/technique_list.h"
 
 namespace cg {
@@ -111,6 +112,8 @@ StepResult draw_step(const Lesson& lesson, std::size_t index, const fs::path& in
   out.left.technique = step.view.left, out.right.technique = step.view.right;
   try {
     out.scene = scene_of_step(lesson, index);
+    if (wants_radiosity(out.scene))
+      out.scene.radiosity_field = solve_scene(out.scene, {}, progress, options.threads).field;
   } catch (const InputError& e) {
     out.left.problem = out.right.problem = Text{e.message(Language::english), e.message(Language::japanese)};
     return out;

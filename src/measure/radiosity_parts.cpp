@@ -5,21 +5,13 @@
 
 #include "params/input_error.h"
 #include "params/numbers.h"
-#include "radiosity/patches.h"
+#include "radiosity/unoccluded_rows.h"
 
 namespace cg {
 
 namespace {
 
 constexpr std::size_t few_patches = 54;
-
-// Whether every patch sees all of every other, so that closed forms are exact.
-bool convex(const Patches& patches) {
-  for (const Patch& p : patches.patches)
-    for (const ElementVertex& v : patches.vertices)
-      if (glm::dot(v.position - p.centre, p.normal) < -1e-9 * glm::length(v.position - p.centre)) return false;
-  return !patches.patches.empty();
-}
 
 Patches patches_of(const Scene& scene) {
   Progress progress;
@@ -35,7 +27,7 @@ Scene scene_of_few_patches(const TradeRequest& request) {
     scene.radiosity.patch_size *= 1.25;
     patches = patches_of(scene);
   }
-  if (patches.patches.size() > few_patches || !convex(patches))
+  if (patches.patches.size() > few_patches || !nothing_hides(patches))
     throw InputError("SCENE",
                      {"its form factors have no closed form, as one face hides another or there are too many",
                       "面が多すぎるか、面どうしが隠し合うため、形態係数の厳密な値が求まらない"},

@@ -259,4 +259,17 @@ double form_factor(const RadiositySolution& solution, std::uint32_t from, std::u
   return area > 0 ? sum / area : 0;
 }
 
+std::vector<ObjectLight> mean_radiosity(const RadiositySolution& solution, std::size_t objects) {
+  std::vector<ObjectLight> out(objects);
+  for (std::size_t i = 0; i < solution.radiosity.size(); ++i) {
+    const Patch& p = solution.patches->patches[i];
+    if (p.object >= objects) continue;
+    out[p.object].radiosity += p.area * solution.radiosity[i];
+    out[p.object].area += p.area;
+  }
+  for (ObjectLight& o : out)
+    if (o.area > 0) o.radiosity /= o.area;
+  return out;
+}
+
 }  // namespace cg

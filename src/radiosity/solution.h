@@ -64,4 +64,12 @@ RadiosityHandle drawable(const Scene& scene, const RadiositySolution& solution);
 // Cancelled.
 double form_factor(const RadiositySolution& solution, std::uint32_t from, std::uint32_t to, const Progress& progress);
 
+// Of each of the first `objects` of Scene::objects: its patches' area, and their B over pi, the mean by area; 0
+// without.
+struct ObjectLight {
+  double area = 0;
+  glm::dvec3 radiosity{0};
+};
+std::vector<ObjectLight> mean_radiosity(const RadiositySolution& solution, std::size_t objects);
+
 }  // namespace cg

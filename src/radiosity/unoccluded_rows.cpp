@@ -6,6 +6,13 @@
 
 namespace cg {
 
+bool nothing_hides(const Patches& patches) {
+  for (const Patch& p : patches.patches)
+    for (const ElementVertex& v : patches.vertices)
+      if (glm::dot(v.position - p.centre, p.normal) < -1e-9 * glm::length(v.position - p.centre)) return false;
+  return !patches.patches.empty();
+}
+
 UnoccludedRows::UnoccludedRows(const Patches& patches, const Radiosity& options, bool normalise)
     : patches_(patches),
       nusselt_(options.form_factors == FormFactors::nusselt),

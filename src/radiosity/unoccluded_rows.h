@@ -5,6 +5,10 @@
 
 namespace cg {
 
+// Whether every patch sees all of every other, so that rows without a blocker are exact: an empty convex room, or
+// squares that face each other. False where there is none.
+bool nothing_hides(const Patches& patches);
+
 class UnoccludedRows {
  public:
   // Closed forms, or Nusselt's projection, as options.form_factors says. The patches must outlive this.

@@ -104,7 +104,7 @@ class Check {
   }
 
   void numbers() {
-    const auto results = compute_numbers(*step_, step_->preset, lesson_.folder, techniques_, progress_);
+    const auto results = compute_numbers(*step_, step_->preset, lesson_.folder, techniques_, progress_, solved_);
     for (std::size_t i = 0; i < results.size(); ++i) {
       const NumberResult& r = results[i];
       LessonFinding& finding = add(LessonFinding::number, r.name, r.holds());
@@ -116,7 +116,7 @@ class Check {
   void try_task(const LessonTask& task, const Scene& start) {
     try {
       const auto result = [&](const Scene& scene) {
-        return check_task(task, scene, start, lesson_.folder, techniques_, progress_);
+        return check_task(task, scene, start, lesson_.folder, techniques_, progress_, solved_);
       };
       const TaskResult before = result(start);
       const Scene solved = scene_of(merge_patch(step_->preset, task.solution), task.id, lesson_.folder);
@@ -133,6 +133,7 @@ class Check {
   const Lesson& lesson_;
   const std::span<const Technique> techniques_;
   Progress& progress_;
+  SolvedScenes solved_;
   const LessonStep* step_ = nullptr;
   std::vector<LessonFinding> out_;
 };

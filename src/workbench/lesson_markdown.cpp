@@ -202,8 +202,11 @@ class Builder {
     if (!runs.empty() && runs.back().kind == kind && (kind != TextRun::formula || in_formula_)) {
       runs.back().text += joint;
     } else {
-      if (!runs.empty()) runs.back().text += joint;
-      runs.push_back({kind, ""});
+      // A blank is text, never the end or the beginning of a formula.
+      const bool behind_formula = !joint.empty() && runs.back().kind == TextRun::formula;
+      if (behind_formula && kind == TextRun::formula) runs.push_back({TextRun::plain, joint});
+      if (!behind_formula && !runs.empty()) runs.back().text += joint;
+      runs.push_back({kind, behind_formula && kind != TextRun::formula ? joint : ""});
     }
     in_formula_ = kind == TextRun::formula;
     runs.back().text += text;

@@ -46,12 +46,13 @@ Scene patched(const Scene& base, const Tree& preset, const Tree& patch, const st
 class Numbers {
  public:
   Numbers(const LessonStep& step, const Tree& preset, const fs::path& folder, std::span<const Technique> techniques,
-          Progress& progress)
+          Progress& progress, SolvedScenes& solved)
       : step_(step),
         preset_(preset),
         folder_(folder),
         techniques_(techniques),
         progress_(progress),
+        solved_(solved),
         base_(scene_of(preset, step.id, folder)),
         results_(step.numbers.size()),
         state_(step.numbers.size(), unknown) {}
@@ -94,7 +95,7 @@ class Numbers {
       if (number.measuring.what) {
         const Tree own = number.scene.is_null() ? preset_ : merge_patch(preset_, number.scene);
         const Scene against = patched(scene, own, number.against, where, folder_);
-        out.value = measure(number.measuring, scene, against, techniques_, progress_);
+        out.value = measure(number.measuring, scene, against, techniques_, progress_, solved_);
       } else {
         out.value = evaluate(number.value, value_of, where);
       }
@@ -112,6 +113,7 @@ class Numbers {
   const fs::path& folder_;
   const std::span<const Technique> techniques_;
   Progress& progress_;
+  SolvedScenes& solved_;
   const Scene base_;
   std::vector<NumberResult> results_;
   std::vector<State> state_;
@@ -136,10 +138,11 @@ std::string in_digits(double v, int digits, int decimals) {
 }
 
 std::vector<NumberResult> compute_numbers(const LessonStep& step, const Tree& preset, const fs::path& folder,
-                                          std::span<const Technique> techniques, Progress& progress) {
+                                          std::span<const Technique> techniques, Progress& progress,
+                                          SolvedScenes& solved) {
   std::vector<NumberResult> out;
   try {
-    Numbers numbers(step, preset, folder, techniques, progress);
+    Numbers numbers(step, preset, folder, techniques, progress, solved);
     for (std::size_t i = 0; i < step.numbers.size(); ++i) out.push_back(numbers.result(i));
   } catch (const InputError& e) {
     for (const LessonNumber& number : step.numbers) {
@@ -162,11 +165,11 @@ std::optional<std::string> text_of_number(std::string_view name, const std::vect
 }
 
 TaskResult check_task(const LessonTask& task, const Scene& scene, const Scene& start, const fs::path& folder,
-                      std::span<const Technique> techniques, Progress& progress) {
+                      std::span<const Technique> techniques, Progress& progress, SolvedScenes& solved) {
   const auto measured = [&](const Scene& s) {
     const Scene against =
         task.against.is_null() ? s : scene_of(merge_patch(preset_of(s), task.against), task.id, folder);
-    return measure(task.measuring, s, against, techniques, progress);
+    return measure(task.measuring, s, against, techniques, progress, solved);
   };
   TaskResult out;
   out.value = measured(scene);

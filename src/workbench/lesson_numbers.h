@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "workbench/lesson.h"
+#include "workbench/solved_scenes.h"
 
 namespace cg {
 
@@ -23,11 +24,12 @@ struct NumberResult {
 };
 
 // The step's numbers for `preset`: the step's own, or preset_of() a student's scene, so that a text can follow it.
-// `folder`: where model files are looked for. `techniques` must not be used by another thread meanwhile. Never throws
-// but Cancelled: what is wrong is each number's `problem`.
+// `folder`: where model files are looked for. `techniques` must not be used by another thread meanwhile. `solved` keeps
+// the radiosity solutions that were needed, for the next call. Never throws but Cancelled: what is wrong is each
+// number's `problem`.
 std::vector<NumberResult> compute_numbers(const LessonStep& step, const Tree& preset,
                                           const std::filesystem::path& folder, std::span<const Technique> techniques,
-                                          Progress& progress);
+                                          Progress& progress, SolvedScenes& solved);
 
 // As a person writes it: 0.0417, 12.5, 100, 1.2×10⁻⁷. `digits`: significant; `decimals`: at most so many behind the
 // point, -1: any.
@@ -46,6 +48,7 @@ struct TaskResult {
 // Whether the student's scene reaches the goal. `start` is the step's own scene. Takes a picture or two: to be called
 // on a worker, with techniques of its own (software_technique() makes one). Throws InputError and Cancelled.
 TaskResult check_task(const LessonTask& task, const Scene& scene, const Scene& start,
-                      const std::filesystem::path& folder, std::span<const Technique> techniques, Progress& progress);
+                      const std::filesystem::path& folder, std::span<const Technique> techniques, Progress& progress,
+                      SolvedScenes& solved);
 
 }  // namespace cg

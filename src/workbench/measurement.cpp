@@ -8,10 +8,16 @@ namespace cg {
 namespace {
 
 std::vector<Measurement> all_measurements() {
-  const auto pictures = picture_measurements(), points = point_measurements();
-  std::vector<Measurement> all(pictures.begin(), pictures.end());
-  all.insert(all.end(), points.begin(), points.end());
+  std::vector<Measurement> all;
+  for (const auto part : {picture_measurements(), point_measurements(), radiosity_measurements()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
+}
+
+Scene with_radiosity(const Scene& scene, SolvedScenes& solved, Progress& progress) {
+  Scene out = scene;
+  if (wants_radiosity(scene)) out.radiosity_field = solved.of(scene, progress).field;
+  return out;
 }
 
 }  // namespace
@@ -32,8 +38,9 @@ const Measurement& find_measurement(std::string_view id) {
 }
 
 double measure(const Measuring& measuring, const Scene& scene, const Scene& against,
-               std::span<const Technique> techniques, Progress& progress) {
-  return measuring.what->measure({scene, against, measuring.options, techniques, progress});
+               std::span<const Technique> techniques, Progress& progress, SolvedScenes& solved) {
+  const Scene lit = with_radiosity(scene, solved, progress), other = with_radiosity(against, solved, progress);
+  return measuring.what->measure({lit, other, measuring.options, techniques, progress, solved});
 }
 
 }  // namespace cg

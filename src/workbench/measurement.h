@@ -1,5 +1,5 @@
 // Named numbers of a scene and its picture, which lessons show, expect and set as goals: a colour, the width of a
-// highlight, the difference of two techniques, a vertex on its way to the screen.
+// highlight, the difference of two techniques, a vertex on its way to the screen, a form factor.
 #pragma once
 #include <span>
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "params/slots.h"
 #include "scene/technique.h"
+#include "workbench/solved_scenes.h"
 
 namespace cg {
 
@@ -56,6 +57,7 @@ struct MeasurementOptions {
   int light = -1;                   // of that light; -1: all
   double orbit = 0;                 // the camera is turned about the target first, degrees to the right
   int object = 0, vertex = 0;       // index into the mesh's positions
+  int to = 1;                       // the object that light goes to
   Space space = Space::world;
   Component component = Component::x;
   double level = 0.5;  // of the maximum, or of brightness
@@ -76,6 +78,7 @@ inline constexpr auto fields_of<MeasurementOptions> = std::tuple{
           {.name = "orbit", .unit = "deg", .range = {-360, 360}, .label = {"Orbit", "カメラの回転"}}),
     field(&MeasurementOptions::object, {.name = "object", .range = {0, 1e5}, .label = {"Object", "物体"}}),
     field(&MeasurementOptions::vertex, {.name = "vertex", .range = {0, 1e9}, .label = {"Vertex", "頂点"}}),
+    field(&MeasurementOptions::to, {.name = "to", .range = {0, 1e5}, .label = {"To object", "相手の物体"}}),
     field(&MeasurementOptions::space, {.name = "space", .label = {"Coordinates", "座標系"}}),
     field(&MeasurementOptions::component, {.name = "component", .label = {"Component", "成分"}}),
     field(&MeasurementOptions::level, {.name = "level", .label = {"Level", "しきい値"}}),
@@ -89,11 +92,12 @@ struct Measuring {
 };
 
 struct MeasureInput {
-  const Scene& scene;    // meshes loaded
+  const Scene& scene;    // meshes loaded; with its radiosity where it wants that
   const Scene& against;  // the second of two scenes; the same as `scene` where there is one
   const MeasurementOptions& options;
   std::span<const Technique> techniques;
   Progress& progress;
+  SolvedScenes& solved;
 };
 
 struct Measurement {
@@ -109,9 +113,10 @@ std::span<const Measurement> measurements();
 // Throws InputError that lists those there are.
 const Measurement& find_measurement(std::string_view id);
 
-// Draws what it needs. `techniques` must not be used by another thread meanwhile. Throws InputError where a technique
-// is missing, unavailable or cannot draw the scene, or where there is nothing to measure; and Cancelled.
+// Draws what it needs, and solves the radiosity that a scene's ambient term asks for where `solved` does not hold it.
+// `techniques` must not be used by another thread meanwhile. Throws InputError where a technique is missing,
+// unavailable or cannot draw the scene, or where there is nothing to measure; and Cancelled.
 double measure(const Measuring& measuring, const Scene& scene, const Scene& against,
-               std::span<const Technique> techniques, Progress& progress);
+               std::span<const Technique> techniques, Progress& progress, SolvedScenes& solved);
 
 }  // namespace cg

@@ -214,7 +214,7 @@ double light_turn(const MeasureInput& in) {
   MeasurementOptions diffuse = in.options;
   diffuse.term = LightTerm::diffuse;
   diffuse.light = std::max(0, diffuse.light);
-  const MeasureInput as{in.scene, in.against, diffuse, in.techniques, in.progress};
+  const MeasureInput as{in.scene, in.against, diffuse, in.techniques, in.progress, in.solved};
   Scene scene = as_asked(in.scene, diffuse);
   scene.shading.clamp = false;
   const glm::dvec3 drawn_at = light_direction(as, scene, in.options.technique);

@@ -26,8 +26,12 @@ glm::dvec4 in_space(const glm::dvec3& world, Space space, const Scene& scene, in
 
 double component_of(const glm::dvec4& v, Component component);
 
-// The measurements of pictures, and those of points and vertices; measurements() is both.
+// The measurements of pictures, those of points and vertices, and those of radiosity; measurements() is all of them.
 std::span<const Measurement> picture_measurements();
 std::span<const Measurement> point_measurements();
+std::span<const Measurement> radiosity_measurements();
+
+// The scene's object of that index. Throws InputError where there is none.
+const Object& object_at(const Scene& scene, int index);
 
 }  // namespace cg

@@ -28,6 +28,14 @@ double component_of(const glm::dvec4& v, Component component) {
   return component == Component::length ? glm::length(glm::dvec3(v)) : v[int(component)];
 }
 
+const Object& object_at(const Scene& scene, int index) {
+  const std::string count = std::to_string(scene.objects.size());
+  if (std::size_t(index) >= scene.objects.size() || !scene.objects[std::size_t(index)].mesh)
+    throw InputError("object", {"there is no such object", "そのような物体はない"},
+                     {"the scene has " + count, "シーンの物体は " + count + " 個"});
+  return scene.objects[std::size_t(index)];
+}
+
 namespace {
 
 // What the software reference's picture shows at the options' place. Terms are not isolated: the factors of a light do
@@ -53,14 +61,7 @@ double point(const MeasureInput& in) {
                       in.options.component);
 }
 
-const Object& object_of(const MeasureInput& in) {
-  const std::size_t index = std::size_t(in.options.object);
-  if (index >= in.scene.objects.size() || !in.scene.objects[index].mesh)
-    throw InputError("object", {"there is no such object", "そのような物体はない"},
-                     {"the scene has " + std::to_string(in.scene.objects.size()),
-                      "シーンの物体は " + std::to_string(in.scene.objects.size()) + " 個"});
-  return in.scene.objects[index];
-}
+const Object& object_of(const MeasureInput& in) { return object_at(in.scene, in.options.object); }
 
 glm::dvec3 vertex_position(const MeasureInput& in) {
   const auto& positions = object_of(in).mesh->data().positions;

@@ -51,18 +51,12 @@ Tree colour(const glm::dvec3& v) { return Tree::List{v.x, v.y, v.z}; }
 
 // The mean radiosity of each object over its area.
 Tree objects_json(const Scene& scene, const RadiositySolution& s) {
-  std::vector<glm::dvec3> power(scene.objects.size(), glm::dvec3(0));
-  std::vector<double> area(scene.objects.size(), 0);
-  for (std::size_t i = 0; i < s.patches->patches.size(); ++i) {
-    const Patch& p = s.patches->patches[i];
-    power[p.object] += p.area * s.radiosity[i];
-    area[p.object] += p.area;
-  }
+  const std::vector<ObjectLight> lights = mean_radiosity(s, scene.objects.size());
   Tree::List out;
-  for (std::size_t o = 0; o < scene.objects.size(); ++o)
-    if (area[o] > 0)
-      out.push_back(
-          Tree::Members{{"name", scene.objects[o].name}, {"area", area[o]}, {"radiosity", colour(power[o] / area[o])}});
+  for (std::size_t o = 0; o < lights.size(); ++o)
+    if (lights[o].area > 0)
+      out.push_back(Tree::Members{
+          {"name", scene.objects[o].name}, {"area", lights[o].area}, {"radiosity", colour(lights[o].radiosity)}});
   return out;
 }
 

@@ -136,6 +136,16 @@ TEST(LessonText, JoinsJapaneseLinesWithoutABlank) {
   EXPECT_EQ(parse_lesson_text("# A\n\nfirst\nsecond", "").sections[0].blocks[0].runs[0].text, "first second");
 }
 
+// A blank beside a formula is of the text, or the formula's typesetting would lose it.
+TEST(LessonText, ALineThatEndsInAFormulaKeepsItsBlank) {
+  const auto runs = [](const char* text) { return parse_lesson_text(text, "").sections[0].blocks[0].runs; };
+  EXPECT_EQ(runs("# A\n\n$B$\nis $E$\n"),
+            (std::vector<TextRun>{{TextRun::formula, "B"}, {TextRun::plain, " is "}, {TextRun::formula, "E"}}));
+  EXPECT_EQ(runs("# A\n\n$B$\n$E$\n"),
+            (std::vector<TextRun>{{TextRun::formula, "B"}, {TextRun::plain, " "}, {TextRun::formula, "E"}}));
+  EXPECT_EQ(runs("# A\n\na\n$E$\n"), (std::vector<TextRun>{{TextRun::plain, "a "}, {TextRun::formula, "E"}}));
+}
+
 TEST(LessonText, ListsAndListings) {
   const auto blocks =
       parse_lesson_text("# A\n\n1. one\n2. two\n   - deep\n\n```c\nint a;\n\nint b;\n```\n\n$$a = b$$\n", "")
@@ -316,9 +326,10 @@ TEST(LessonNumbers, FollowTheStudentsScene) {
   const Lesson lesson = read_lesson(folder.path());
   const std::vector<Technique> techniques{software_technique()};
   Progress progress;
+  SolvedScenes solved;
   Scene scene = scene_of_step(lesson, 0);
   scene.material.k_a = glm::dvec3(1);
-  const auto results = compute_numbers(lesson.steps[0], preset_of(scene), lesson.folder, techniques, progress);
+  const auto results = compute_numbers(lesson.steps[0], preset_of(scene), lesson.folder, techniques, progress, solved);
   ASSERT_EQ(results.size(), 1u);
   EXPECT_TRUE(results[0].holds());
   EXPECT_EQ(text_of_number("red", results, scene), "0.4");
@@ -333,7 +344,9 @@ TEST(LessonNumbers, ACircleIsAProblemAndNoCrash) {
           "numbers": {"p": {"value": "q"}, "q": {"value": "p + 1"}}}]})",
       "lesson.json");
   Progress progress;
-  for (const NumberResult& r : compute_numbers(steps[0], steps[0].preset, {}, {}, progress)) EXPECT_TRUE(r.problem);
+  SolvedScenes solved;
+  for (const NumberResult& r : compute_numbers(steps[0], steps[0].preset, {}, {}, progress, solved))
+    EXPECT_TRUE(r.problem);
 }
 
 // Whatever bytes a file holds: read or refused in one line, in bounded time.
