@@ -128,11 +128,16 @@ std::string index_in(const std::string& path) {
   return path.substr(dot + 1, path.find('.', dot + 1) - dot - 1);
 }
 
-// What a path belongs to, as a heading: "LIGHT0", "Material", "Shading".
-std::string group_of(const std::string& path, Language language) {
+// What a path belongs to, as a heading: "LIGHT0", "Object 3: left-wall", "Material", "Shading".
+std::string group_of(const std::string& path, const Scene& scene, Language language) {
   const std::string first = path.substr(0, path.find('.'));
   if (first == "lights") return std::string(Words{"Light", "光源"}.in(language)) + " LIGHT" + index_in(path);
-  if (first == "objects") return std::string(Words{"Object", "物体"}.in(language)) + " " + index_in(path);
+  if (first == "objects") {
+    const std::size_t i = std::size_t(std::atoi(index_in(path).c_str()));
+    const std::string name = i < scene.objects.size() ? scene.objects[i].name : "";
+    const std::string number = std::string(Words{"Object", "物体"}.in(language)) + " " + index_in(path);
+    return name.empty() ? number : number + std::string(Words{": ", "："}.in(language)) + name;
+  }
   std::string label;
   std::apply(
       [&](const auto&... f) { ((f.about.name == first ? void(label = f.about.label.in(language)) : void()), ...); },
@@ -195,9 +200,9 @@ bool draw_offered_parameters(App& app) {
   for (const std::string& offered : wanted)
     for (const Slot& slot : all) {
       if (!offers(offered, slot.path)) continue;
-      const std::string group = group_of(slot.path, app.language());
+      const std::string group = group_of(slot.path, app.scene, app.language());
       const bool says_it_itself = slot.about->symbol.empty() && slot.about->label.in(app.language()) == group;
-      if (group != last && !says_it_itself) heading(app, group);
+      if (group != last && !says_it_itself) heading(app, noted(app, group));
       last = group;
       draw_row(app, slot);
     }
