@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "image/display.h"
 #include "mapping/uv_layout.h"
 
 namespace cg {
@@ -18,5 +19,8 @@ std::vector<LayoutLine> layout_lines(const UvLayout& layout);
 // An SVG of size x size pixels, the texture's lower left corner at its lower left: inner edges thin, borders of charts
 // thick, nothing behind them.
 std::string layout_svg(const UvLayout& layout, int size);
+
+// The same as pixels on white, smooth; size from 1.
+Picture layout_picture(const UvLayout& layout, int size);
 
 }  // namespace cg

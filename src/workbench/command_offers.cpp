@@ -4,6 +4,7 @@
 #include "workbench/grade_command.h"
 #include "workbench/import_command.h"
 #include "workbench/radiosity_command.h"
+#include "workbench/unwrap_command.h"
 
 namespace cg {
 
@@ -17,6 +18,7 @@ void CommandParser::add_all() {
   add_import();
   add_grade();
   add_radiosity();
+  add_unwrap();
 }
 
 void CommandParser::add_window() {
@@ -144,6 +146,22 @@ void CommandParser::add_radiosity() {
       {"The solution, a PLY with the light of each vertex", "解（頂点ごとの光を持つ PLY）の保存先"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
   add_threads(app);
+}
+
+void CommandParser::add_unwrap() {
+  CLI::App& app = add_bare_command(
+      "unwrap", "MODEL", {"Cut a model into charts and lay it flat: its uv", "モデルを切り開いて uv を求める"},
+      run_unwrap);
+  add_parameter(app, "--method", "method", "METHOD",
+                {"lscm, spectral, mean-value or free-boundary", "lscm、spectral、mean-value、free-boundary のどれか"});
+  add(app, "--set", arguments.set, "NAME=VALUE",
+      {"Set a parameter of the unwrap: margin=8", "展開のパラメータを変える：margin=8"})
+      ->allow_extra_args(false);
+  add(app, "-o,--output", arguments.output, "FILE",
+      {"OUT.obj: the model with its uv; OUT.svg, OUT.png: the layout",
+       "OUT.obj は uv 付きのモデル、OUT.svg と OUT.png は展開図"});
+  add(app, "--size", arguments.size, "N", {"Pixels a side of the layout, 1024", "展開図の一辺の画素数。既定は 1024"});
+  add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});
 }
 
 void CommandParser::add_parameter(CLI::App& app, const char* name, const char* path, const char* type, Words help) {

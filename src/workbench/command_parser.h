@@ -49,6 +49,7 @@ class CommandParser {
   void add_import();
   void add_grade();
   void add_radiosity();
+  void add_unwrap();
   void add_other(const CommandOffer& offer);
   // Options of several commands.
   void add_threads(CLI::App& app);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mapping/layout_drawing.h"
+#include "mapping/mesh_union.h"
 #include "mapping/unwrap.h"
 #include "params/file.h"
 #include "params/input_error.h"
@@ -20,20 +21,9 @@ using namespace cg;
 
 MeshHandle mesh_of(const std::string& name) {
   if (const Shape* shape = find_shape(name)) return make_shape(*shape);
-  const Model model = read_model(name);
-  MeshData all;
-  for (const ModelPart& part : model.parts) {
-    const MeshData& data = part.mesh->data();
-    const std::uint32_t first = std::uint32_t(all.positions.size());
-    all.positions.insert(all.positions.end(), data.positions.begin(), data.positions.end());
-    for (std::size_t f = 0; f < data.face_count(); ++f) {
-      std::vector<Corner> corners;
-      for (std::uint32_t c = data.first_corner[f]; c < data.first_corner[f + 1]; ++c)
-        corners.push_back({first + data.corners[c].position});
-      all.add_face(corners.data(), corners.data() + corners.size());
-    }
-  }
-  return Mesh::make(std::move(all));
+  std::vector<MeshHandle> meshes;
+  for (const ModelPart& part : read_model(name).parts) meshes.push_back(part.mesh);
+  return joined_meshes(meshes);
 }
 
 void measure(const std::string& name, const Unwrapping& options, const std::string& svg_folder) {

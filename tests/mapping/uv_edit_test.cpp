@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mapping/layout_drawing.h"
+#include "mapping/mesh_union.h"
 #include "mapping/unwrap.h"
 #include "scene/shape.h"
 
@@ -128,6 +129,29 @@ TEST(LayoutDrawing, DrawsEachEdgeOnceAndSeamsTwice) {
   // One square in the lower left quarter: v goes up, the SVG's y down.
   const std::string one = layout_svg(two_squares(), 100);
   EXPECT_NE(one.find("M0 100L50 100"), one.npos) << one;
+}
+
+TEST(LayoutDrawing, PictureIsTheSameAsPixels) {
+  const Picture p = layout_picture(two_squares(), 64);
+  EXPECT_EQ(p.at(10, 10), glm::u8vec4(255, 255, 255, 255));  // v > 1/2: nothing
+  EXPECT_EQ(p.at(10, 50), glm::u8vec4(255, 255, 255, 255));  // inside a face
+  EXPECT_LT(p.at(10, 63).x, 80);                             // the lower border
+  // The edge between the squares, half a pixel wide and half grey, half a pixel from two columns of centres.
+  EXPECT_EQ(p.at(32, 50).x, 223);
+  EXPECT_EQ(p.at(31, 50).x, 223);
+}
+
+TEST(MeshUnion, PartsGetTheirOwnUvBack) {
+  const std::vector<MeshHandle> parts{make_shape(*find_shape("cube")), make_shape(*find_shape("plane"), 2)};
+  const MeshHandle all = joined_meshes(parts);
+  EXPECT_EQ(all->data().face_count(), 6u + 4u);
+  const UvLayout layout = unwrap(all, {});
+  EXPECT_EQ(figures_of(layout, 512).overlapping_pixels, 0u);
+  const std::vector<MeshData> out = parted_uv(parts, layout.uv);
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_EQ(out[1].positions, parts[1]->data().positions);
+  EXPECT_EQ(out[1].normals, parts[1]->data().normals);
+  EXPECT_EQ(corner_uv(out[1])[0], layout.uv[24]);
 }
 
 }  // namespace
