@@ -89,7 +89,7 @@ Tree json_of(const Arguments& a, const Unwrapping& options, const Measured& m) {
   return Tree::Members{{"model", a.scene},
                        {"method", names_of<UnwrapMethod>[std::size_t(options.method)].id},
                        {"triangles", d.triangles},
-                       {"charts", m.charts},
+                       {"charts", std::size_t(m.charts)},
                        {"seam_edges", m.seams},
                        {"flipped", d.flipped},
                        {"overlapping_pixels", m.figures.overlapping_pixels},
