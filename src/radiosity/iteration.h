@@ -55,8 +55,9 @@ std::unique_ptr<Iteration> make_shooting(std::shared_ptr<const SolverData> data,
 // Throws InputError where the matrix does not fit.
 std::unique_ptr<Iteration> make_direct(std::shared_ptr<const SolverData> data);
 
-// Sets columns and shot of `data`: F^T where all rows are kept and a second matrix fits into `memory` MiB.
-void prepare_shooting(SolverData& data, double memory);
+// Sets columns and shot of `data`: F^T where all rows are kept and a second matrix fits into `memory` MiB. Throws
+// Cancelled where `progress` is not null.
+void prepare_shooting(SolverData& data, double memory, const Progress* progress);
 
 // Whether in one channel every patch's value is as large as before, and not all are 0.
 class Growth {

@@ -28,15 +28,21 @@ double sum_of(const std::vector<FormFactor>& row) {
   return sum;
 }
 
+void check(const Progress* progress) {
+  if (progress && progress->cancelled.load(std::memory_order_relaxed)) throw Cancelled{};
+}
+
 // A square of n numbers a side, a tile at a time so that both sides stay in the cache.
 template <class Real>
-void transpose(const Real* from, Real* to, std::size_t n, std::size_t stride) {
+void transpose(const Real* from, Real* to, std::size_t n, std::size_t stride, const Progress* progress) {
   constexpr std::size_t tile = 32;
-  std::fill(to, to + n * stride, Real(0));
-  for (std::size_t i0 = 0; i0 < n; i0 += tile)
-    for (std::size_t j0 = 0; j0 < n; j0 += tile)
+  for (std::size_t j0 = 0; j0 < n; j0 += tile) {
+    check(progress);
+    std::fill(to + j0 * stride, to + std::min(j0 + tile, n) * stride, Real(0));
+    for (std::size_t i0 = 0; i0 < n; i0 += tile)
       for (std::size_t i = i0; i < std::min(i0 + tile, n); ++i)
         for (std::size_t j = j0; j < std::min(j0 + tile, n); ++j) to[j * stride + i] = from[i * stride + j];
+  }
 }
 
 }  // namespace
@@ -139,7 +145,7 @@ FormFactorRow FormFactorMatrix::row(std::size_t i, const Progress& progress) con
   return out;
 }
 
-std::shared_ptr<const FormFactorMatrix> FormFactorMatrix::transposed() const {
+std::shared_ptr<const FormFactorMatrix> FormFactorMatrix::transposed(const Progress* progress) const {
   assert(whole());
   std::shared_ptr<FormFactorMatrix> m(new FormFactorMatrix);
   m->set_up(area_);
@@ -147,14 +153,14 @@ std::shared_ptr<const FormFactorMatrix> FormFactorMatrix::transposed() const {
   m->kept_ = kept_;
   if (storage_ == Storage::sparse) {
     m->sparse_.resize(kept_);
-    for (std::size_t i = 0; i < kept_; ++i)
+    for (std::size_t i = 0; i < kept_; ++i, check(progress))
       for (const FormFactor& f : sparse_[i]) m->sparse_[f.patch].push_back({std::uint32_t(i), f.value});
   } else if (doubles_) {
     m->doubles_ = numbers<double>(kept_);
-    transpose(doubles_.get(), m->doubles_.get(), kept_, stride_);
+    transpose(doubles_.get(), m->doubles_.get(), kept_, stride_, progress);
   } else {
     m->floats_ = numbers<float>(kept_);
-    transpose(floats_.get(), m->floats_.get(), kept_, stride_);
+    transpose(floats_.get(), m->floats_.get(), kept_, stride_, progress);
   }
   return m;
 }

@@ -97,7 +97,8 @@ class FormFactorMatrix {
   FormFactorRow row(std::size_t i, const Progress& progress) const;
 
   // What is kept, transposed and without scales: at(i, j) of it times scale(j) is F_ji. All rows must be kept.
-  std::shared_ptr<const FormFactorMatrix> transposed() const;
+  // Throws Cancelled where `progress` is not null.
+  std::shared_ptr<const FormFactorMatrix> transposed(const Progress* progress = nullptr) const;
 
   MatrixFigures figures(int threads, Progress& progress) const;
 

@@ -110,10 +110,10 @@ std::unique_ptr<Iteration> make_shooting(std::shared_ptr<const SolverData> data,
   return std::make_unique<Shooting>(std::move(data), progressive);
 }
 
-void prepare_shooting(SolverData& data, double memory) {
+void prepare_shooting(SolverData& data, double memory, const Progress* progress) {
   constexpr double mebibyte = 1024.0 * 1024.0;
   const FormFactorMatrix& m = *data.system.matrix;
-  if (m.whole() && 2 * double(m.bytes()) <= memory * mebibyte) data.columns = m.transposed();
+  if (m.whole() && 2 * double(m.bytes()) <= memory * mebibyte) data.columns = m.transposed(progress);
   data.shot = Channels(m.size());
   for (std::size_t j = 0; j < m.size(); ++j) {
     const double area = m.area()[j];

@@ -28,14 +28,15 @@ Bounce bounce_of(const RadiositySystem& s) {
   return out;
 }
 
-std::shared_ptr<const SolverData> data_of(RadiositySystem system, const Bounce& bounce, const Radiosity& options) {
+std::shared_ptr<const SolverData> data_of(RadiositySystem system, const Bounce& bounce, const Radiosity& options,
+                                          const Progress* progress) {
   SolverData data;
   data.emission = Channels(system.emission);
   data.reflectance = Channels(system.reflectance);
   data.row_bound = bounce.closed;
   data.system = std::move(system);
   if (options.solver == RadiositySolver::southwell || options.solver == RadiositySolver::progressive)
-    prepare_shooting(data, options.memory);
+    prepare_shooting(data, options.memory, progress);
   return std::make_shared<const SolverData>(std::move(data));
 }
 
@@ -66,11 +67,11 @@ RadiositySystem system_of(const Patches& patches, std::shared_ptr<const FormFact
   return out;
 }
 
-Solver::Parts::Parts(RadiositySystem system, const Radiosity& options, int threads)
+Solver::Parts::Parts(RadiositySystem system, const Radiosity& options, int threads, const Progress* progress)
     : kind(options.solver),
       target(options.residual),
       bounce(bounce_of(system)),
-      data(data_of(std::move(system), bounce, options)),
+      data(data_of(std::move(system), bounce, options, progress)),
       rows(data->system.matrix, threads),
       iteration(make_iteration(data, kind)),
       stride(iteration->unshot() ? std::max<std::size_t>(1, iteration->steps_a_sweep() / 16)
@@ -153,8 +154,8 @@ void Solver::Parts::tell(Progress& progress) const {
   progress.fraction.store(way > 0 ? float(std::log(first / now) / way) : 0.0f, std::memory_order_relaxed);
 }
 
-Solver::Solver(RadiositySystem system, const Radiosity& options, int threads)
-    : parts_(std::make_unique<Parts>(std::move(system), options, threads)) {}
+Solver::Solver(RadiositySystem system, const Radiosity& options, int threads, const Progress* progress)
+    : parts_(std::make_unique<Parts>(std::move(system), options, threads, progress)) {}
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;

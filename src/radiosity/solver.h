@@ -46,8 +46,9 @@ struct ResidualPoint {
 class Solver {
  public:
   // options.solver and options.residual count, and options.memory for what a solver holds beside the matrix. `threads`
-  // compute the rows that the matrix does not keep. Throws InputError where the method cannot have so many patches.
-  Solver(RadiositySystem system, const Radiosity& options, int threads = 1);
+  // compute the rows that the matrix does not keep. Throws InputError where the method cannot have so many patches, and
+  // where `progress` is not null Cancelled: the shooting solvers transpose the matrix first.
+  Solver(RadiositySystem system, const Radiosity& options, int threads = 1, const Progress* progress = nullptr);
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;

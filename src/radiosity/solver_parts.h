@@ -30,7 +30,7 @@ struct Solver::Parts {
   std::chrono::steady_clock::time_point clock;
   SolverEnd end = SolverEnd::none;
 
-  Parts(RadiositySystem system, const Radiosity& options, int threads);
+  Parts(RadiositySystem system, const Radiosity& options, int threads, const Progress* progress);
 
   std::size_t size() const { return data->emission.size(); }
   double factor() const;
