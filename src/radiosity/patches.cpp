@@ -42,13 +42,14 @@ std::string one_digit(double v) {
   return {text, end.ptr};
 }
 
-void check_count(const std::vector<SurfaceFace>& faces, double size) {
+// Throws InputError where there are too many.
+std::size_t count_of(const std::vector<SurfaceFace>& faces, double size) {
   double count = 0;
   for (const SurfaceFace& face : faces) {
     const Cut cut = cut_of(face, size);
     count += cut.right * cut.up;
   }
-  if (count <= double(most_patches)) return;
+  if (count <= double(most_patches)) return std::size_t(count);
   const std::string about = std::to_string(static_cast<long long>(std::min(count, 1e18)));
   const std::string most = std::to_string(most_patches);
   if (faces.size() > most_patches / 2)
@@ -160,8 +161,9 @@ Patches make_patches(const Scene& scene, const Radiosity& options, Progress& pro
     if (scene.objects[o].visible && scene.objects[o].mesh)
       check_reflectance(scene.objects[o], o, material_of(scene, scene.objects[o]));
   const SurfaceFaces faces = faces_of(scene, progress);
-  check_count(faces.faces, options.patch_size);
   Patches out;
+  out.patches.reserve(count_of(faces.faces, options.patch_size));
+  out.elements.reserve(out.patches.capacity());
   out.degenerate = faces.degenerate;
   out.closed = enclosed(faces.faces, progress);
   Cutter cutter(scene, options.patch_size, out);
@@ -170,6 +172,10 @@ Patches make_patches(const Scene& scene, const Radiosity& options, Progress& pro
     progress.fraction = float(f + 1) / float(faces.faces.size());
   }
   return out;
+}
+
+std::size_t count_patches(const Scene& scene, const Radiosity& options, Progress& progress) {
+  return count_of(faces_of(scene, progress).faces, options.patch_size);
 }
 
 Patch element_as_patch(const Patches& patches, std::uint32_t element) {

@@ -65,6 +65,9 @@ struct Patches {
 // Throws InputError where a reflectance is not in 0..1 or a patch count would pass 2^22, Cancelled.
 Patches make_patches(const Scene& scene, const Radiosity& options, Progress& progress);
 
+// How many patches that would be, without making them. Throws as make_patches() where they are too many.
+std::size_t count_patches(const Scene& scene, const Radiosity& options, Progress& progress);
+
 // An element as a polygon of its own, with its patch's reflectance and emission.
 Patch element_as_patch(const Patches& patches, std::uint32_t element);
 

@@ -153,16 +153,18 @@ SolutionHandle solution_of(std::string_view bytes, const std::string& where, con
   TextScanner in(bytes, where, {});
   const PlyHeader header = read_ply_header(in, bytes);
   const auto count = [&](std::size_t i) { return i < header.elements.size() ? header.elements[i].count : 0; };
-  const std::string layout = format::layout(count(0), count(1), count(2));
-  if (header.elements.size() != 3 || header_text.find("\n" + layout) == header_text.npos)
+  const std::string layout = "\n" + format::layout(count(0), count(1), count(2)) + std::string(format::end);
+  if (header.elements.size() != 3 || header.format != PlyFormat::binary_little_endian || !header_text.ends_with(layout))
     refuse(where, {"its elements are not those of a solution", "要素が解のファイルのものではない"});
 
+  // Counted first: a file's patch size is not believed to the extent of making millions of patches.
+  if (count_patches(scene, out->options, progress) != count(2)) refuse(where, other_geometry);
   auto patches = std::make_shared<Patches>(make_patches(scene, out->options, progress));
   SolutionBody body(bytes, header, where);
   body.skip_vertices();
   std::vector<int> levels;
   body.read_faces(levels, out->element_radiosity);
-  if (patches->patches.size() != count(2) || !cut_to_levels(*patches, levels, progress)) refuse(where, other_geometry);
+  if (!cut_to_levels(*patches, levels, progress)) refuse(where, other_geometry);
   if (const std::size_t others = body.read_patches(*patches, out->radiosity); others > 0)
     out->notes.push_back(phrase({"{0} patches have other materials now than when this was computed: compute it again",
                                  "計算した後でパッチ{0}個の素材が変わった: もう一度計算が必要"},

@@ -13,13 +13,18 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-inline void check_message(const InputError& e) {
-  require(e.line > 0 || e.byte >= 0);
+// One line in both languages, which begins with where.
+inline void check_line(const InputError& e) {
   for (Language language : {Language::english, Language::japanese}) {
     const std::string message = e.message(language);
     require(message.size() > e.where.size() && message.size() < 1000);
     require(message.starts_with(e.where) && message.find('\n') == message.npos);
   }
+}
+
+inline void check_message(const InputError& e) {
+  require(e.line > 0 || e.byte >= 0);
+  check_line(e);
 }
 
 inline void check_model(const Model& model) {
