@@ -71,7 +71,8 @@ class Merger {
     const Cluster &x = cluster_[a], &y = cluster_[b];
     const double area = x.area + y.area;
     const double spread = area > 0 ? 1 - glm::length(x.normal + y.normal) / area : 0;
-    if (spread > bend_) return;
+    if (spread > bend_ || glm::dot(unit(x.normal), unit(y.normal)) < 0.3)
+      return;  // also what is small beside the other
     const double perimeter = x.perimeter + y.perimeter - 2 * length;
     const double roundness = perimeter / std::sqrt(4 * pi * std::max(area, 1e-300));  // 1 for a circle
     pairs_.push({spread + 0.15 * std::min(roundness, 10.0), std::min(a, b), std::max(a, b),

@@ -5,7 +5,8 @@
 namespace cg {
 
 // Adds to `cuts` the borders between clusters. Neighbours are merged, the flattest pair first, while the mean normal of
-// the two is longer than 1 - `bend`: 0 only coplanar faces, 1 everything. No cluster grows across what is cut already.
+// the two is longer than 1 - `bend` (0: only coplanar faces) and they look less than about 70 degrees apart. No cluster
+// grows across what is cut already.
 void cut_into_clusters(const UnwrapSurface& surface, double bend, EdgeCuts& cuts);
 
 // Adds to `cuts` a border through the chart that parts it between two far faces; false where it has only one face.

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "mapping/parallel.h"
+#include "math/counter_random.h"
 
 namespace cg {
 
@@ -204,7 +205,23 @@ std::vector<Placed> place_in_order(const std::vector<std::array<Mask, 4>>& masks
   return out;
 }
 
-// All pieces at that scale, in the first order that works: the longest, the widest or the largest first.
+constexpr std::size_t orders = 12;
+
+// The longest, the widest or the largest first; then the same with each piece's size taken up to 30 % for more or less.
+std::vector<std::size_t> order_of(const std::vector<std::array<Mask, 4>>& masks, std::size_t way) {
+  std::vector<double> key(masks.size());
+  for (std::size_t i = 0; i < masks.size(); ++i) {
+    const double w = masks[i][0].width, h = masks[i][0].height;
+    key[i] = way % 3 == 0 ? std::max(w, h) : way % 3 == 1 ? w + h : std::sqrt(w * h);
+    if (way >= 3) key[i] *= 0.7 + 0.6 * random_number(way, i);
+  }
+  std::vector<std::size_t> order(masks.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] > key[b]; });
+  return order;
+}
+
+// All pieces at that scale, in the first order that works.
 std::vector<Placed> try_scale(const std::vector<FlatPiece>& pieces, const std::vector<Box>& boxes, double scale,
                               double reach) {
   std::vector<std::array<Mask, 4>> masks(pieces.size());
@@ -214,17 +231,9 @@ std::vector<Placed> try_scale(const std::vector<FlatPiece>& pieces, const std::v
   });
   for (const auto& m : masks)
     if (m[0].rows.empty()) return {};
-  std::array<std::vector<Placed>, 3> placed;
-  in_parallel(3, [&](std::size_t way) {
-    const auto key = [&](std::size_t i) {
-      const int w = masks[i][0].width, h = masks[i][0].height;
-      return way == 0 ? std::max(w, h) : way == 1 ? w + h : w * h;
-    };
-    std::vector<std::size_t> order(pieces.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); });
-    placed[way] = place_in_order(masks, order);
-  });
+  std::array<std::vector<Placed>, orders> placed;
+  in_parallel(pieces.size() > 1 ? orders : 1,
+              [&](std::size_t way) { placed[way] = place_in_order(masks, order_of(masks, way)); });
   for (auto& p : placed)
     if (!p.empty()) return std::move(p);
   return {};
