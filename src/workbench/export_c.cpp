@@ -61,7 +61,7 @@ std::string usage(const CParts& parts, const std::vector<std::pair<int, std::str
 std::string export_c(const Scene& scene, Language language) {
   const CParts parts(scene, language);
   const auto placed = places(parts, language);
-  std::string out = usage(parts, placed, language) + parts.radiosity_comment() + "\n" + parts.prototypes() +
+  std::string out = usage(parts, placed, language) + parts.left_out_comments() + "\n" + parts.prototypes() +
                     "#include <GL/glut.h>\n" + parts.state_and_lights() + camera(parts, language) + parts.materials();
   for (const auto& place : placed) out += place.second;
   return out + import_comment(scene, out);

@@ -114,11 +114,16 @@ std::string CParts::prototypes() const {
   return "";
 }
 
-std::string CParts::radiosity_comment() const {
-  if (scene_.shading.ambient_source == AmbientSource::constant) return "";
-  const Words text{"The scene's ambient term is a radiosity solution; here it is the constant I_a k_a.",
-                   "シーンの環境光項はラジオシティの解だが、ここでは一定の I_a k_a になる。"};
-  return "/* " + std::string(text.in(language_)) + " */\n";
+std::string CParts::left_out_comments() const {
+  const auto comment = [&](bool wanted, const Words& text) {
+    return wanted ? "/* " + std::string(text.in(language_)) + " */\n" : "";
+  };
+  return comment(scene_.shading.ambient_source == AmbientSource::radiosity,
+                 {"The scene's ambient term is a radiosity solution; here it is the constant I_a k_a.",
+                  "シーンの環境光項はラジオシティの解だが、ここでは一定の I_a k_a になる。"}) +
+         comment(scene_.display.transform == DisplayTransform::photographic,
+                 {"The scene is displayed as sRGB with an exposure; here a colour is shown as it is computed.",
+                  "シーンは露出と sRGB で表示されるが、ここでは計算した色をそのまま表示する。"});
 }
 
 std::string in_comment(std::string_view text) {

@@ -48,9 +48,9 @@ class CParts {
   bool lights_come_first() const;
   // A function whose declaration is there only where it is asked for: a line before the #include, or none.
   std::string prototypes() const;
-  // Where the scene's ambient term is a radiosity solution, a comment that says that the program draws the constant
-  // one.
-  std::string radiosity_comment() const;
+  // What of the scene no program of OpenGL draws, as comments: a radiosity solution, for which the constant ambient
+  // term stands, and a photographic display.
+  std::string left_out_comments() const;
 
  private:
   const Scene& scene_;

@@ -30,7 +30,7 @@ class GlutProgram {
       : scene_(scene), obj_name_(obj_name), language_(language), parts_(scene, language) {}
 
   std::string text() const {
-    return head() + parts_.radiosity_comment() + globals() + in_language(glut_matrices) + std::string(projection()) +
+    return head() + parts_.left_out_comments() + globals() + in_language(glut_matrices) + std::string(projection()) +
            vectors() + std::string(glut_look_at) + in_language(glut_meshes) + heading({"The scene", "シーン"}) +
            std::string(glut_modelview) + parts_.state_and_lights() + camera() + parts_.materials() + places() +
            helpers() + draw_mesh() + draw_scene() + in_language(glut_window);

@@ -39,6 +39,7 @@ Scene scene_with(const std::string& name, const std::vector<std::string>& settin
 Scene as_opengl_can(Scene scene) {
   if (scene.shading.mode == ShadingMode::phong) scene.shading.mode = ShadingMode::gouraud;
   scene.shading.reflection = Reflection::half_vector;
+  scene.display.transform = DisplayTransform::lecture;
   return scene;
 }
 
@@ -150,8 +151,9 @@ class GlutProgramTest : public testing::Test {
     compile("cc");
     const Picture window = run(display);
     ASSERT_EQ(window.width(), 512) << log();
-    const Differences same = compare(window, picture(scene.display, gl_fixed(as_opengl_can(scene), true).colour)),
-                      floats = compare(window, picture(scene.display, gl_fixed(as_opengl_can(scene), false).colour));
+    const Scene drawn = as_opengl_can(scene);
+    const Differences same = compare(window, picture(drawn.display, gl_fixed(drawn, true).colour)),
+                      floats = compare(window, picture(drawn.display, gl_fixed(drawn, false).colour));
     // Into the same kind of framebuffer: the same picture. gl-fixed itself draws into one of floats whose first row is
     // the bottom one: what is interpolated is rounded otherwise there, by up to 0.0002, and so are halves of 1/255; an
     // edge that goes through a pixel's centre can fall to its other side.

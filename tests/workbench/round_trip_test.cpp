@@ -90,6 +90,15 @@ TEST(RoundTrip, ARadiositySolutionIsSolvedAgain) {
   EXPECT_EQ(import_c(text, "a.c").scene.radiosity, s.radiosity);
 }
 
+TEST(RoundTrip, APhotographicDisplayIsNamed) {
+  Scene s = open_model("cube");
+  EXPECT_EQ(export_text(s, ExportFormat::glut).find("sRGB"), std::string::npos);
+  s.display.transform = DisplayTransform::photographic;
+  for (const ExportFormat format : {ExportFormat::c, ExportFormat::glut})
+    EXPECT_NE(export_text(s, format).find("here a colour is shown as it is computed"), std::string::npos);
+  expect_round_trip(s);
+}
+
 TEST(RoundTrip, AnEditedNumberStays) {
   Scene s = open_model("torus");
   s.material.n = 500;
