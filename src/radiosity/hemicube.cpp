@@ -12,16 +12,12 @@ HemicubeFrame hemicube_frame(const glm::dvec3& position, const glm::dvec3& norma
   const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
                           : size.z <= size.y                   ? glm::dvec3(0, 0, 1)
                                                                : glm::dvec3(0, 1, 0);
-  const glm::dvec3 x = unit(axis - glm::dot(axis, normal) * normal);
-  const auto fraction = [](double a) { return a - std::floor(a); };
-  constexpr double golden = 0.61803398874989485, silver = 0.41421356237309505;  // whose multiples spread most evenly
-  const double column = double(number % std::size_t(samples)), row = double(number / std::size_t(samples));
-  return {position,
-          x,
-          glm::cross(normal, x),
-          normal,
-          fraction(golden * row + silver * column + 0.5 + 1.0 / 256) - 0.5,
-          fraction(silver * row + golden * column + 0.5 + 1.0 / 384) - 0.5};
+  const glm::dvec3 x = unit(axis - glm::dot(axis, normal) * normal), y = glm::cross(normal, x);
+  if (samples <= 1) return {position, x, y, normal, 1.0 / 1024, 1.0 / 1536};
+  constexpr double golden_slope = 0.55357435889704525;  // atan((sqrt(5) - 1) / 2)
+  const double angle = golden_slope + pi / 2 * double(number) / (double(samples) * samples);
+  const glm::dvec3 turned = std::cos(angle) * x + std::sin(angle) * y;
+  return {position, turned, glm::cross(normal, turned), normal};
 }
 
 glm::dvec3 on_cube(HemicubeFace face, const FacePoint<double>& p) {

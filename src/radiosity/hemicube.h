@@ -11,14 +11,19 @@
 
 namespace cg {
 
-// The frame of a position on a surface with that unit normal: z is the normal; x is the world's axis that is least
-// parallel to it, laid into the plane.
+// The frame of a position on a surface with that unit normal: z is the normal.
 //
-// A pixel's sample stands beside its middle, elsewhere for each of a patch's samples x samples positions, `number`
-// counting them by rows: what one position sees too much of for its coarse pixels the next sees too little of. Those of
-// a row, and those of a column, often see the same edge at the same place, and divide a pixel about evenly. Even of one
-// position the sample is a little off, as edges of regular scenes run exactly through the middles: so each of those
-// belongs to one side.
+// Of samples x samples positions each is turned about the normal by an angle of its own, `number` of so many equal
+// steps of a quarter turn (more turns the pixels onto themselves). What one sees too much of for its coarse pixels
+// another sees too little of: an edge that runs along a row of pixels is misplaced by up to half a pixel, which is 1/R
+// of it, but at any other angle the errors of the pixels that it crosses cancel but for their root, R^(-3/2) (David
+// Kendall, On the number of lattice points inside a random oval, 1948), and positions at different angles err
+// independently. The first is turned by the slope of the golden section, which is farthest from all slopes of rows of
+// pixels: scenes often have edges along the axes. One that is alone is not turned: x is the world's axis that is least
+// parallel to the normal, laid into the plane. Its samples stand a little beside the middles of the pixels, as there
+// edges run exactly through those: so each of them belongs to one side.
+//
+// Samples do not stand farther beside, as a pixel's weight is that of its middle: an error of its own, also 1/R.
 HemicubeFrame hemicube_frame(const glm::dvec3& position, const glm::dvec3& normal, std::size_t number = 0,
                              int samples = 1);
 

@@ -36,14 +36,15 @@ FormFactorRow HemicubeRows::row(const Patch& part, std::uint32_t own, const Prog
   Room& room = rooms_.local();
   RowSums& sums = room.sums;
   sums.begin(scene_, part, own);
-  std::size_t number = 0;
-  for (const SamplePosition& p : sample_positions(part, samples_, placement_)) {
+  const std::vector<SamplePosition> positions = sample_positions(part, samples_, placement_);
+  for (std::size_t number = 0; number < positions.size(); ++number) {
+    const SamplePosition& p = positions[number];
     if (progress.cancelled.load(std::memory_order_relaxed)) throw Cancelled{};
     if (const std::uint32_t over = sums.lying_on(scene_, p.position); over != no_item) {
       sums.of_patch[over] += p.weight * pixel_weights_.sum();
       continue;
     }
-    draw_items(scene_, gl_, hemicube_frame(p.position, part.normal, number++, samples_), resolution_, sums, room.items);
+    draw_items(scene_, gl_, hemicube_frame(p.position, part.normal, number, samples_), resolution_, sums, room.items);
     weights_.add(room.items, p.weight, sums.of_patch.data(), sums.rest);
   }
   return sums.finish(normalise_);

@@ -111,7 +111,7 @@ struct Bench {
     const Patch& p = patches.patches[patch];
     const double begin = process_cpu_ms();
     sums.begin(scene, p, patch);
-    draw(hemicube_frame(p.centre, p.normal));
+    draw(hemicube_frame(p.centre, p.normal, patch % 4, 2));  // turned as one of 2 x 2 positions
     weights.add(items, 1, sums.of_patch.data(), sums.rest);
     const FormFactorRow row = sums.finish(true);
     const double ms = process_cpu_ms() - begin;

@@ -73,13 +73,27 @@ TEST(Hemicube, PointsComeBackFromTheirFace) {
 
 TEST(Hemicube, FramesAreRightHanded) {
   for (const glm::dvec3& n :
-       {glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), unit(glm::dvec3(1, 2, -3))}) {
-    const HemicubeFrame f = hemicube_frame({1, 2, 3}, n);
-    EXPECT_EQ(f.z, n);
-    EXPECT_NEAR(glm::length(f.x), 1, 1e-14);
-    EXPECT_NEAR(glm::dot(f.x, f.z), 0, 1e-14);
-    EXPECT_NEAR(glm::length(glm::cross(f.x, f.y) - f.z), 0, 1e-14);
-  }
+       {glm::dvec3(0, 0, 1), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), unit(glm::dvec3(1, 2, -3))})
+    for (const int samples : {1, 3})
+      for (int number = 0; number < samples * samples; ++number) {
+        const HemicubeFrame f = hemicube_frame({1, 2, 3}, n, std::size_t(number), samples);
+        EXPECT_EQ(f.z, n);
+        EXPECT_NEAR(glm::length(f.x), 1, 1e-14);
+        EXPECT_NEAR(glm::dot(f.x, f.z), 0, 1e-14);
+        EXPECT_NEAR(glm::length(glm::cross(f.x, f.y) - f.z), 0, 1e-14);
+      }
+}
+
+// By equal steps of a quarter turn; one alone stands along the axes.
+TEST(Hemicube, PositionsAreTurned) {
+  const glm::dvec3 up(0, 0, 1), along = hemicube_frame(glm::dvec3(0), up).x;
+  EXPECT_EQ(std::abs(along.x) + std::abs(along.y), 1);
+  const auto angle = [&](std::size_t number) {
+    const HemicubeFrame f = hemicube_frame(glm::dvec3(0), up, number, 4);
+    return std::atan2(glm::dot(f.x, glm::cross(up, along)), glm::dot(f.x, along));
+  };
+  EXPECT_NEAR(std::tan(angle(0)), (std::sqrt(5) - 1) / 2, 1e-14);
+  for (std::size_t number = 1; number < 16; ++number) EXPECT_NEAR(angle(number) - angle(number - 1), pi / 32, 1e-14);
 }
 
 }  // namespace
