@@ -142,6 +142,12 @@ void CommandParser::add_radiosity() {
       {"Stop where B is no further off than this, of the brightest", "B の誤差が最大値のこの割合以下になれば止める"});
   add(app, "--form-factor", arguments.form_factor, "A,B",
       {"Print the form factor from object A to object B", "物体 A から B への形態係数を表示する"});
+  add_flag(app, "--weights", arguments.weights,
+           {"With --form-factor: by each weight of a pixel, the wrong ones too, beside closed forms",
+            "--form-factor を画素の重みごとに（誤った重みも）求め、閉じた式と並べる"});
+  add(app, "--against", arguments.against, "METHOD",
+      {"Solve with these form factors too and compare each object's mean: monte-carlo",
+       "別の方法の形態係数でも解き、物体ごとの平均を比べる：monte-carlo"});
   add(app, "-o,--output", arguments.output, "SOLUTION",
       {"The solution, a PLY with the light of each vertex", "解（頂点ごとの光を持つ PLY）の保存先"});
   add_flag(app, "--json", arguments.json, {"One JSON object on stdout", "JSON で出力する"});

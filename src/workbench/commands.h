@@ -23,7 +23,8 @@ struct Arguments {
   std::string report;  // a folder
   bool check = false, quick = false;
   std::string knob, repeats;  // of a trade
-  std::string against;        // a trade's file
+  std::string against;        // a trade's file; a method of form factors
+  bool weights = false;       // of --form-factor
   std::string extreme;        // a case, or a group of them
   bool list = false;
 };

@@ -10,6 +10,7 @@
 #include "workbench/command_parts.h"
 #include "workbench/measured_plan.h"
 #include "workbench/progress_line.h"
+#include "workbench/radiosity_checks.h"
 
 namespace cg {
 
@@ -60,6 +61,13 @@ Tree objects_json(const Scene& scene, const RadiositySolution& s) {
   return out;
 }
 
+// What was asked for beside the solution.
+struct Asked {
+  std::optional<double> form_factor;
+  std::optional<WeightFigures> weights;
+  std::optional<MeanDifferences> against;
+};
+
 Tree lines_json(const std::vector<Text>& lines) {
   Tree::List out;
   for (const Text& line : lines) out.emplace_back(line.en);
@@ -79,7 +87,7 @@ Tree matrix_json(const RadiositySolution& s) {
 
 bool balance_known(const RadiositySolution& s) { return s.patches->closed && s.matrix->whole(); }
 
-Tree json_of(const Arguments& a, const Scene& scene, const RadiositySolution& s, const double* factor) {
+Tree json_of(const Arguments& a, const Scene& scene, const RadiositySolution& s, const Asked& asked) {
   const RadiosityFigures& f = s.figures;
   const Radiosity& o = s.options;
   Tree::Members out{{"scene", a.scene},
@@ -108,7 +116,9 @@ Tree json_of(const Arguments& a, const Scene& scene, const RadiositySolution& s,
                     {"end", end_names[std::size_t(f.end)]},
                     {"objects", objects_json(scene, s)},
                     {"notes", lines_json(s.notes)}};
-  if (factor) out.emplace_back("form_factor", *factor);
+  if (asked.form_factor) out.emplace_back("form_factor", *asked.form_factor);
+  if (asked.weights) out.emplace_back("form_factor_by_weight", json_of(*asked.weights));
+  if (asked.against) out.emplace_back("against", json_of(*asked.against));
   return out;
 }
 
@@ -121,7 +131,7 @@ std::string error_text(double v) {
   return number_text(digit) + "e" + number_text(exponent);
 }
 
-std::string text_of(const RadiositySolution& s, const double* factor, Language l) {
+std::string text_of(const RadiositySolution& s, const Asked& asked, Language l) {
   const RadiosityFigures& f = s.figures;
   const auto line = [&](Words words, const std::string& rest) { return std::string(words.in(l)) + rest + "\n"; };
   const std::string patches = std::to_string(s.patches->patches.size()),
@@ -145,8 +155,20 @@ std::string text_of(const RadiositySolution& s, const double* factor, Language l
     out += line({"  energy lost or won", "  エネルギー収支のずれ"},
                 colon + error_text(f.energy_error) + Text(" of the emitted", "（放射量に対して）").in(l));
   for (const Text& note : s.notes) out += "  ! " + note.in(l) + "\n";
-  if (factor) out += line({"form factor", "形態係数 F"}, colon + number_text(*factor));
+  if (asked.form_factor) out += line({"form factor", "形態係数 F"}, colon + number_text(*asked.form_factor));
+  if (asked.weights) out += text_of(*asked.weights, l);
+  if (asked.against) out += text_of(*asked.against, l);
   return out;
+}
+
+FormFactors method_named(const std::string& text) {
+  std::string names;
+  for (std::size_t m = 0; m < names_of<FormFactors>.size(); ++m) {
+    const std::string id(names_of<FormFactors>[m].id);
+    if (id == text) return FormFactors(m);
+    names += (m > 0 ? ", " : "") + id;
+  }
+  throw bad_option("--against", text, {"the methods are " + names, "方法は " + names});
 }
 
 }  // namespace
@@ -155,21 +177,30 @@ int run_radiosity(const Arguments& a, std::span<const Technique>, Language langu
   const Scene scene = scene_for(a, language);
   SolveOptions how;
   how.threads = view_of(a).threads;
+  if (a.weights && a.form_factor.empty())
+    throw InputError("--weights", {"no objects are named", "物体の指定がない"},
+                     {"name two: --form-factor floor,ceiling", "--form-factor floor,ceiling のように二つ指定すること"});
   std::optional<FromTo> objects;
   if (!a.form_factor.empty()) objects = objects_of(scene, a.form_factor);
+  Radiosity other = scene.radiosity;
+  if (!a.against.empty()) other.form_factors = method_named(a.against);
   how.announce = [&](const MatrixPlan& plan) {
     if (!a.json) print(plan.text().in(language) + "\n"), std::fflush(stdout);
   };
   Progress progress;
   SolutionHandle solution;
-  double factor = 0;
+  Asked asked;
   {
     const ProgressLine line(progress, std::string(Words{"radiosity", "ラジオシティ"}.in(language)));
     solution = solve_radiosity(scene, scene.radiosity, nullptr, progress, how);
-    if (objects) factor = form_factor(*solution, objects->from, objects->to, progress);
+    if (objects) asked.form_factor = form_factor(*solution, objects->from, objects->to, progress);
+    if (a.weights)
+      asked.weights = weight_figures(*solution->patches, scene.radiosity, objects->from, objects->to, {}, progress);
+    how.announce = {};
+    if (!a.against.empty())
+      asked.against = mean_differences(scene, *solution, *solve_radiosity(scene, other, nullptr, progress, how));
   }
-  print(a.json ? to_json(json_of(a, scene, *solution, objects ? &factor : nullptr)) + "\n"
-               : text_of(*solution, objects ? &factor : nullptr, language));
+  print(a.json ? to_json(json_of(a, scene, *solution, asked)) + "\n" : text_of(*solution, asked, language));
   if (solution->figures.end == SolverEnd::diverges) {
     for (const Text& note : solution->notes) std::fprintf(stderr, "shadebench: %s\n", note.in(language).c_str());
     return 1;

@@ -76,6 +76,56 @@ TEST_F(RadiosityCommandTest, FormFactorOfTwoObjects) {
   }
 }
 
+// From the middle of a unit square to the one opposite it: a point and a plate. The wrong weights sum to 1 too.
+TEST_F(RadiosityCommandTest, FormFactorByEachWeight) {
+  const std::vector<std::string> arguments{"models/parallel-squares.json",
+                                           "--patch-size",
+                                           "2",
+                                           "--samples",
+                                           "1",
+                                           "--resolution",
+                                           "64",
+                                           "--form-factor",
+                                           "lower,upper",
+                                           "--weights"};
+  const Tree t = json(arguments);
+  const Tree& figures = *t.find("form_factor_by_weight");
+  constexpr double exact = 0.239456470461;
+  EXPECT_NEAR(number(figures, "nusselt"), exact, 1e-7);
+  EXPECT_NEAR(number(figures, "closed_form"), 0.199824895698, 1e-7);
+  const Tree::List& rows = *figures.find("weights")->list();
+  ASSERT_EQ(rows.size(), 5u);
+  for (const Tree& row : rows) {
+    const std::string weight = *row.find("weight")->string();
+    EXPECT_NEAR(number(row, "sum"), 1, 2e-4) << weight;
+    const double error = std::abs(number(row, "form_factor") - exact);
+    if (weight == "delta-form-factor" || weight == "integrated")
+      EXPECT_LT(error, 1e-4) << weight;
+    else
+      EXPECT_GT(error, 0.03) << weight;
+  }
+  const Outcome japanese = run(arguments, {{"LANG", "ja_JP.UTF-8"}});
+  EXPECT_NE(japanese.out.find("0.239456"), std::string::npos) << japanese.out;
+  const Outcome unnamed = run({cube, "--weights"});
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_EQ(unnamed.error_lines(), 1u) << unnamed.err;
+}
+
+TEST_F(RadiosityCommandTest, MeansAgainstAnotherMethod) {
+  const std::vector<std::string> arguments{"models/cornell-box.json", "--patch-size", "0.3", "--against",
+                                           "monte-carlo"};
+  const Tree t = json(arguments);
+  const Tree& against = *t.find("against");
+  EXPECT_EQ(*against.find("form_factors")->string(), "monte-carlo");
+  EXPECT_EQ(against.find("objects")->list()->size(), 8u);
+  EXPECT_GT(number(against, "largest"), 0);
+  EXPECT_LT(number(against, "largest"), 0.05);  // 1024 rays a patch
+  for (const char* language : {"en_US.UTF-8", "ja_JP.UTF-8"}) {
+    const Outcome o = run(arguments, {{"LANG", language}});
+    for (const char* name : {"left-wall", "tall-block"}) EXPECT_NE(o.out.find(name), std::string::npos) << o.out;
+  }
+}
+
 TEST_F(RadiosityCommandTest, OptionsAreShortCutsForSet) {
   const auto timeless = [&](const std::vector<std::string>& arguments) {
     Tree t = json(arguments);
@@ -120,6 +170,7 @@ TEST_F(RadiosityCommandTest, MistakesAreOneLineThatSaysWhatWouldWork) {
            {cube, "--patch-size", "-1"},
            {cube, "--form-factor", "0"},
            {cube, "--form-factor", "0,wall-of-china"},
+           {cube, "--against", "rays"},
            {cube, "--set", "material.k_d=1.5", "--set", "objects.0.own_material=false"},
            {cube, "--patch-size", "0.5", "-o", "no/such/folder/s.ply"}}) {
     const Outcome o = run(arguments);
