@@ -1,34 +1,10 @@
 // How exact form factors are: where on a patch they are sampled, how finely, and by rays.
 #include "measure/knob_list.h"
 #include "measure/radiosity_parts.h"
-#include "radiosity/form_factors.h"
-#include "scene/cpu_clock.h"
 
 namespace cg {
 
 namespace {
-
-Setting closed_form_of(const Scene& scene) {
-  Setting s = radiosity_setting(scene, "closed-form", 1, 0);
-  s.label = Words{"closed form", "閉じた式"};
-  s.scene.radiosity.form_factors = FormFactors::closed_form;
-  return s;
-}
-
-// The factors of all pairs as a picture, row by row; what it cost is the rows alone.
-Frame factors(const Setting& setting, std::span<const Technique>, Progress& progress) {
-  const Patches patches = make_patches(setting.scene, setting.scene.radiosity, progress);
-  const FormFactorMethod method = form_factor_method(patches, setting.scene.radiosity);
-  const int n = int(patches.patches.size());
-  Frame frame;
-  frame.colour = ColourImage(n, n);
-  CpuClock clock;
-  for (int i = 0; i < n; ++i)
-    for (const FormFactor& f : method.row(std::uint32_t(i), progress).factors)
-      frame.colour.at(int(f.patch), i) = glm::vec3(f.value);
-  frame.cpu_ms = clock.lap_ms();
-  return frame;
-}
 
 Ladder positions_ladder(const TradeRequest& request) {
   Ladder out;
@@ -75,21 +51,10 @@ Ladder rays_ladder(const TradeRequest& request) {
   return out;
 }
 
-// What the knobs of form factors have in common.
-Knob factor_knob() {
-  Knob k;
-  k.scene = "models/closed-cube.json";
-  k.reference = {"the closed form of each pair", "各組の閉じた式の値"};
-  k.error = {"RMS of the factors' errors, over that of the factors", "形態係数の誤差の RMS ÷ 係数の RMS"};
-  k.draw = factors;
-  k.errors = relative_errors;
-  return k;
-}
-
 }  // namespace
 
 Knob radiosity_positions_knob() {
-  Knob k = factor_knob();
+  Knob k = form_factor_knob();
   k.id = "radiosity-positions";
   k.name = {"Positions on a patch", "パッチ上の位置の数"};
   k.help = {"S × S hemicubes a patch instead of one at its centre: this is where the accuracy of form factors is.",
@@ -112,7 +77,7 @@ Knob radiosity_positions_knob() {
 }
 
 Knob radiosity_resolution_knob() {
-  Knob k = factor_knob();
+  Knob k = form_factor_knob();
   k.id = "radiosity-resolution";
   k.name = {"Hemicube resolution", "ヘミキューブの解像度"};
   k.help = {"More pixels see the borders of patches more exactly; from the centre alone that hardly helps.",
@@ -129,15 +94,16 @@ Knob radiosity_resolution_knob() {
        .source = "Daniel Baum, Holly Rushmeier, James Winget, Improving Radiosity Solutions Through the Use of "
                  "Analytically Determined Form-Factors, 1989"},
       {.series = 1,
-       .order = -1,
-       .law = "R^(-1)",
-       .why = {"A patch's border along a row of pixels is misplaced by up to half a pixel, which is 1/R.",
-               "画素の列に沿う境界は最大で半画素ずれる。半画素は 1/R に比例する。"},
-       .otherwise = {"Borders askew cross many pixels, whose errors cancel to R^(-3/2).",
-                     "斜めの境界は多くの画素を横切り、誤差が打ち消し合って R^(-3/2) になる。"},
-       .source =
-           "Daniel Baum, Holly Rushmeier, James Winget, Improving Radiosity Solutions Through the Use of Analytically "
-           "Determined Form-Factors, 1989; David Kendall, On the number of lattice points inside a random oval, 1948"}};
+       .order = -1.5,
+       .law = "R^(-3/2)",
+       .why =
+           {"Hemicubes are turned, so a border crosses rows of pixels: some R errors, which cancel but for √R of R^2.",
+            "ヘミキューブを回して置くので境界は画素の列を斜めに横切り、R 個ほどの誤差が打ち消し合って R^2 のうち √R "
+            "だけ残る。"},
+       .otherwise = {"Borders parallel to the patch's normal run along pixels of the side faces however a hemicube is "
+                     "turned, all misplaced alike: R^(-1) in the end.",
+                     "法線に平行な境界は、どう回しても側面の画素の列に沿い、同じだけずれる。最後は R^(-1) になる。"},
+       .source = "David Kendall, On the number of lattice points inside a random oval, 1948"}};
   k.bend_low = {"patches are few pixels large there.", "パッチが数画素しかない。"};
   k.bend_high = {"there the positions on the patch are what is left.", "残るのはパッチ上の位置による誤差。"};
   k.ladder = resolution_ladder;
@@ -145,7 +111,7 @@ Knob radiosity_resolution_knob() {
 }
 
 Knob radiosity_rays_knob() {
-  Knob k = factor_knob();
+  Knob k = form_factor_knob();
   k.id = "radiosity-rays";
   k.name = {"Form factors by rays", "光線による形態係数"};
   k.help = {"Monte Carlo rays instead of hemicubes: no pixels, no bias, but noise.",

@@ -20,5 +20,8 @@ Knob radiosity_resolution_knob();
 Knob radiosity_rays_knob();
 Knob radiosity_patches_knob();
 Knob radiosity_residual_knob();
+Knob radiosity_method_knob();
+Knob radiosity_solver_knob();
+Knob radiosity_float_knob();
 
 }  // namespace cg

@@ -21,7 +21,10 @@ std::span<const Knob> knobs() {
       radiosity_resolution_knob(),
       radiosity_rays_knob(),
       radiosity_patches_knob(),
+      radiosity_method_knob(),
+      radiosity_solver_knob(),
       radiosity_residual_knob(),
+      radiosity_float_knob(),
   };
   return all;
 }

@@ -83,22 +83,48 @@ TEST_P(SlopeTest, TheSlopeIsInItsBand) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Small, SlopeTest,
-                         testing::Values(Expected{"shading", "torus", 128}, Expected{"silhouette", "torus", 1024},
-                                         Expected{"normals", "torus-knot", 16},
-                                         Expected{"reflection", "uv-sphere", 256},
-                                         Expected{"supersampling", "torus-knot", 48},
-                                         Expected{"resolution", "torus-knot", 512},
-                                         Expected{"near-plane", "torus", 128}, Expected{"z-fighting", "torus", 256},
-                                         Expected{"radiosity-positions", "closed-cube.obj", 1},
-                                         Expected{"radiosity-resolution", "closed-cube.obj", 1},
-                                         Expected{"radiosity-rays", "closed-cube.obj", 1},
-                                         Expected{"radiosity-residual", "closed-cube.obj", 1}),
-                         [](const auto& info) {
-                           std::string name = info.param.knob;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Small, SlopeTest,
+    testing::Values(Expected{"shading", "torus", 128}, Expected{"silhouette", "torus", 1024},
+                    Expected{"normals", "torus-knot", 16}, Expected{"reflection", "uv-sphere", 256},
+                    Expected{"supersampling", "torus-knot", 48}, Expected{"resolution", "torus-knot", 512},
+                    Expected{"near-plane", "torus", 128}, Expected{"z-fighting", "torus", 256},
+                    Expected{"radiosity-positions", "closed-cube.obj", 1},
+                    Expected{"radiosity-method", "closed-cube.obj", 1},
+                    Expected{"radiosity-solver", "closed-cube.obj", 1},
+                    Expected{"radiosity-float", "closed-cube.obj", 1}, Expected{"radiosity-rays", "closed-cube.obj", 1},
+                    Expected{"radiosity-residual", "closed-cube.obj", 1}),
+    [](const auto& info) {
+      std::string name = info.param.knob;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+// A closed cube has borders of both kinds: askew to the pixels, R^(-3/2), and along those of the side faces, R^(-1).
+TEST(KnobsTest, HemicubesResolutionCountsBetweenItsTwoOrders) {
+  const Trade trade = small_trade("radiosity-resolution", "closed-cube.obj", 1);
+  ASSERT_EQ(trade.checks.size(), 2u);
+  EXPECT_TRUE(trade.checks[0].agrees) << trade.checks[0].verdict.en;
+  EXPECT_LT(trade.checks[1].fit->slope, -1);
+  EXPECT_GT(trade.checks[1].fit->slope, -1.65);
+}
+
+// The order comes nearer to 2 the smaller the patches are.
+TEST(KnobsTest, PatchesComeNearTheirOrderSlowly) {
+  const Trade trade = small_trade("radiosity-patches", "closed-cube.obj", 1);
+  double last = 1.4;
+  std::vector<double> x, error;
+  for (std::size_t i = trade.points.size(); i-- > 0;) {
+    x.push_back(trade.ladder.settings[i].x), error.push_back(trade.points[i].errors.rmse);
+    const std::size_t n = x.size();
+    if (n < 2) continue;
+    const double order = std::log(error[n - 2] / error[n - 1]) / std::log(x[n - 2] / x[n - 1]);
+    EXPECT_GT(order, last - 0.02) << x[n - 1];
+    EXPECT_LT(order, 2.1) << x[n - 1];
+    last = order;
+  }
+  EXPECT_GT(last, 1.65);
+}
 
 // The straight part of float's errors has the predicted order, and above n = 128 the curve bends, as the sine is taken.
 TEST(KnobsTest, FloatBendsWhereTheSineIsTaken) {
