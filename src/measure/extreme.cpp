@@ -21,13 +21,15 @@ constexpr Name groups[] = {
     {"pictures", {"Pictures", "画像"}},
     {"files", {"Files", "ファイル"}},
     {"values", {"Values as text", "文字で与える値"}},
+    {"radiosity", {"Radiosity", "ラジオシティ"}},
     {"arithmetic", {"Naive and robust", "素朴な式と頑健な式"}},
 };
 
 constexpr void (*tables[])(ExtremeTable&) = {
-    add_light_extremes, add_attenuation_extremes, add_spot_extremes,       add_material_extremes, add_normal_extremes,
-    add_mesh_extremes,  add_place_extremes,       add_camera_extremes,     add_picture_extremes,  add_file_extremes,
-    add_value_extremes, add_shading_arithmetic,   add_geometry_arithmetic, add_number_arithmetic};
+    add_light_extremes,     add_attenuation_extremes, add_spot_extremes,     add_material_extremes,
+    add_normal_extremes,    add_mesh_extremes,        add_place_extremes,    add_camera_extremes,
+    add_picture_extremes,   add_file_extremes,        add_value_extremes,    add_radiosity_extremes,
+    add_shading_arithmetic, add_geometry_arithmetic,  add_number_arithmetic, add_radiosity_arithmetic};
 
 }  // namespace
 

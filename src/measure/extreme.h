@@ -60,7 +60,7 @@ struct ExtremeInput {
   std::function<ExtremeError()> take;  // throws InputError where this machine lacks what it needs
 };
 
-// A formula as a textbook writes it beside one that survives, both in float.
+// A formula as a textbook writes it beside one that survives, both in float where they do not say double.
 struct Naive {
   struct Row {
     std::string input;            // "x = 1e-25"
@@ -95,7 +95,7 @@ struct ExtremeCase {
 };
 
 // "lights", "attenuation", "spots", "materials", "normals", "meshes", "places", "cameras", "pictures", "files",
-// "values", "arithmetic".
+// "values", "radiosity", "arithmetic".
 std::span<const Name> extreme_groups();
 
 // In the groups' order. Made once; their scenes are made when asked for.

@@ -20,5 +20,7 @@ void add_value_extremes(ExtremeTable& all);
 void add_shading_arithmetic(ExtremeTable& all);
 void add_geometry_arithmetic(ExtremeTable& all);
 void add_number_arithmetic(ExtremeTable& all);
+void add_radiosity_extremes(ExtremeTable& all);
+void add_radiosity_arithmetic(ExtremeTable& all);
 
 }  // namespace cg
