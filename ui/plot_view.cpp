@@ -12,7 +12,8 @@ namespace {
 
 // Series have Okabe and Ito's colours, as quantities have; the front is what is read first.
 ImU32 colour_of(const Look& look, PlotInk ink) {
-  constexpr Quantity series[] = {Quantity::ambient, Quantity::diffuse, Quantity::reflection, Quantity::transmission};
+  constexpr Quantity series[] = {Quantity::ambient, Quantity::diffuse, Quantity::reflection, Quantity::transmission,
+                                 Quantity::specular};
   switch (ink) {
     case PlotInk::text:
     case PlotInk::front:
@@ -22,7 +23,7 @@ ImU32 colour_of(const Look& look, PlotInk ink) {
     case PlotInk::grid:
       return look.palette.line;
     default:
-      return look.of(series[(int(ink) - int(PlotInk::series0)) & 3]);
+      return look.of(series[(int(ink) - int(PlotInk::series0)) % 5]);
   }
 }
 

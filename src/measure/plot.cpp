@@ -10,8 +10,6 @@ namespace cg {
 
 namespace {
 
-PlotInk ink_of(std::size_t series) { return PlotInk(int(PlotInk::series0) + int(series % 4)); }
-
 std::string unit_text(std::string_view unit) { return unit == "1" ? "" : " [" + std::string(unit) + "]"; }
 
 Text with_unit(Text text, std::string_view unit) {
@@ -38,7 +36,7 @@ PlotLine front_of(const Plot& plot) {
 void add_series_entries(const Knob& knob, Plot& plot) {
   if (knob.series.size() > 1)
     for (std::size_t s = 0; s < knob.series.size(); ++s)
-      plot.legend.push_back({ink_of(s), Plot::Entry::Sign::dot, knob.series[s].name});
+      plot.legend.push_back({ink_of_series(s), Plot::Entry::Sign::dot, knob.series[s].name});
 }
 
 // A line of that slope through (x, y) on a logarithmic plot.
@@ -52,7 +50,7 @@ PlotLine power_line(double slope, double x, double y, double x_low, double x_hig
 void add_check(const Trade& trade, const PredictionCheck& check, Plot& plot) {
   const Knob& knob = *trade.knob;
   const Prediction& p = knob.predictions[check.prediction];
-  const PlotInk ink = ink_of(check.prediction);
+  const PlotInk ink = ink_of_series(check.prediction);
   Text name = knob.series[p.series].name;
   if (p.of != knob.plotted || knob.series.size() < knob.predictions.size())
     name = p.of == ErrorKind::max ? Text{"largest error", "最大誤差"} : Text{"RMSE", "RMSE"};

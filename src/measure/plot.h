@@ -1,5 +1,5 @@
-// A plot as a plain description, and its layout as marks that anything can paint: an SVG file, a window. Both axes are
-// logarithmic.
+// A plot as a plain description, and its layout as marks that anything can paint: an SVG file, a window. Axes are
+// logarithmic unless they say otherwise.
 #pragma once
 #include <functional>
 #include <string>
@@ -18,8 +18,11 @@ enum class PlotInk {
   series0,
   series1,
   series2,
-  series3  // series by series; PlotMark::series goes on counting
+  series3,
+  series4  // series by series, then from the first again
 };
+
+constexpr PlotInk ink_of_series(std::size_t series) { return PlotInk(int(PlotInk::series0) + int(series % 5)); }
 
 struct PlotPoint {
   double x = 1, y = 1;           // > 0
@@ -35,11 +38,13 @@ struct PlotLine {
   std::vector<double> x, y;
   PlotInk ink = PlotInk::front;
   bool dashed = false;
+  float weight = 1;  // of its thickness
 };
 
 struct PlotAxis {
   Text title;             // with its unit
   bool reversed = false;  // falls from left to right
+  bool linear = false;    // and begins at 0
 };
 
 struct Plot {

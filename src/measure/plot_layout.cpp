@@ -41,8 +41,12 @@ struct Span {
     if (v > 0 && std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
   }
   // With room at both ends, and never narrower than a quarter of a decade.
-  void widen() {
+  void widen(bool linear) {
     if (!(high > 0)) low = high = 1;
+    if (linear) {
+      high *= 1.07;
+      return;
+    }
     const double decades = std::log10(high / low), room = std::max(0.07 * decades, (0.25 - decades) / 2);
     low *= std::pow(10, -room), high *= std::pow(10, room);
   }
@@ -57,7 +61,10 @@ class Layouter {
 
   PlotLayout lay_out() {
     find_spans();
-    const std::vector<PlotTick> x_ticks = log_ticks(x_.low, x_.high), y_ticks = log_ticks(y_.low, y_.high);
+    const auto ticks = [](const Span& s, bool linear) {
+      return linear ? even_ticks(0, s.high) : log_ticks(s.low, s.high);
+    };
+    const std::vector<PlotTick> x_ticks = ticks(x_, plot_.x.linear), y_ticks = ticks(y_, plot_.y.linear);
     float widest = 0;
     for (const PlotTick& t : y_ticks) widest = std::max(widest, wide(t.text, small_));
     out_.left = 1.9f * letters_ + widest + 0.6f * letters_;
@@ -73,12 +80,11 @@ class Layouter {
 
  private:
   float wide(const std::string& text, float size) const { return text_width_(text, size); }
-  float x_at(double v) const {
-    return out_.left + float(std::log10(v / x_.low) / std::log10(x_.high / x_.low)) * (out_.right - out_.left);
+  static float along(const Span& span, bool linear, double v) {
+    return linear ? float(v / span.high) : float(std::log10(v / span.low) / std::log10(span.high / span.low));
   }
-  float y_at(double v) const {
-    return out_.bottom - float(std::log10(v / y_.low) / std::log10(y_.high / y_.low)) * (out_.bottom - out_.top);
-  }
+  float x_at(double v) const { return out_.left + along(x_, plot_.x.linear, v) * (out_.right - out_.left); }
+  float y_at(double v) const { return out_.bottom - along(y_, plot_.y.linear, v) * (out_.bottom - out_.top); }
   void line(PlotInk ink, std::vector<PlotPlace> places, float thickness, bool dashed = false) {
     out_.marks.push_back(
         {.kind = PlotMark::Kind::line, .ink = ink, .places = std::move(places), .size = thickness, .dashed = dashed});
@@ -97,7 +103,7 @@ class Layouter {
       for (const double v : l.x) x_.add(v);
       for (const double v : l.y) y_.add(v);
     }
-    x_.widen(), y_.widen();
+    x_.widen(plot_.x.linear), y_.widen(plot_.y.linear);
   }
 
   bool is_small() const { return out_.right - out_.left < 18 * letters_; }
@@ -172,7 +178,7 @@ class Layouter {
       std::vector<PlotPlace> places;
       for (std::size_t i = 0; i < l.x.size(); ++i) places.push_back({x_at(l.x[i]), y_at(l.y[i])});
       for (std::size_t i = 1; i < places.size(); ++i) segments_.push_back({places[i - 1], places[i]});
-      if (places.size() > 1) line(l.ink, std::move(places), l.dashed ? 1.2f : 1.6f, l.dashed);
+      if (places.size() > 1) line(l.ink, std::move(places), l.weight * (l.dashed ? 1.2f : 1.6f), l.dashed);
     }
   }
 
@@ -180,7 +186,7 @@ class Layouter {
     const float radius = 0.3f * letters_;
     for (std::size_t i = 0; i < plot_.points.size(); ++i) {
       const PlotPoint& p = plot_.points[i];
-      const PlotInk ink = PlotInk(int(PlotInk::series0) + int(p.series % 4));
+      const PlotInk ink = ink_of_series(p.series);
       const PlotPlace at{x_at(p.x), y_at(p.y)};
       Box taken{at.x - radius, at.y - radius, at.x + radius, at.y + radius};
       if (p.x_low > 0 && p.x_high > p.x_low) {

@@ -25,6 +25,8 @@ constexpr std::string_view colour_of(PlotInk ink) {
       return "#d55e00";
     case PlotInk::series2:
       return "#009e73";
+    case PlotInk::series4:
+      return "#a07d00";
     default:
       return "#b0568a";
   }

@@ -27,7 +27,8 @@ std::vector<PlotTick> ticks_with(const std::vector<double>& mantissas, int every
   return out;
 }
 
-// Equal steps, for less than a third of a decade.
+}  // namespace
+
 std::vector<PlotTick> even_ticks(double low, double high) {
   const double rough = (high - low) / 4, unit = std::pow(10.0, std::floor(std::log10(rough)));
   double step = unit;
@@ -38,14 +39,12 @@ std::vector<PlotTick> even_ticks(double low, double high) {
   return out;
 }
 
-}  // namespace
-
 std::vector<PlotTick> log_ticks(double low, double high) {
   const double decades = std::log10(high / low);
   if (decades > 8) return ticks_with({1}, int(std::ceil(decades / 8)), low, high);
   for (const std::vector<double>& mantissas : {std::vector<double>{1}, {1, 3}, {1, 2, 5}, {1, 1.5, 2, 3, 4, 5, 7}})
     if (auto ticks = ticks_with(mantissas, 1, low, high); ticks.size() >= 3) return ticks;
-  return even_ticks(low, high);
+  return even_ticks(low, high);  // less than a third of a decade
 }
 
 }  // namespace cg

@@ -14,4 +14,7 @@ struct PlotTick {
 // least two, at most about nine.
 std::vector<PlotTick> log_ticks(double low, double high);
 
+// In equal steps of 1, 2 or 5 times a power of ten between low and high (low < high).
+std::vector<PlotTick> even_ticks(double low, double high);
+
 }  // namespace cg
