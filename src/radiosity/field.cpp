@@ -17,9 +17,8 @@ using Index = std::uint32_t;
 // The elements of one object as a mesh, vertices numbered anew in the order of their first use.
 class ObjectElements {
  public:
-  ObjectElements(const std::vector<ElementVertex>& vertices, const SeamedOutlines& outlines,
-                 const std::vector<glm::dvec3>& values)
-      : vertices_(vertices), outlines_(outlines), values_(values), number_(vertices.size(), no_index) {}
+  ObjectElements(const std::vector<ElementVertex>& vertices, const SeamedOutlines& outlines)
+      : vertices_(vertices), outlines_(outlines), number_(vertices.size(), no_index) {}
 
   void add(Index element, bool mirrored) {
     face_.clear();
@@ -39,24 +38,20 @@ class ObjectElements {
     data_.add_face(face_.data(), face_.data() + face_.size());
   }
 
-  // Leaves it ready for the next object.
-  ObjectRadiosity take(MeshHandle of) {
-    ObjectRadiosity out;
+  // Leaves it ready for the next object. `corners` gets the vertex of each corner.
+  MeshHandle take(std::vector<Index>& corners) {
     if (!has_normals_) data_.normals.clear();
     has_normals_ = false;
-    out.mesh = Mesh::make(std::exchange(data_, {}));
-    out.of = std::move(of);
-    for (const Corner& c : out.mesh->data().corners)
-      out.corners.emplace_back(glm::max(values_[used_[c.position]], glm::dvec3(0)));
+    MeshHandle mesh = Mesh::make(std::exchange(data_, {}));
+    for (const Corner& c : mesh->data().corners) corners.push_back(used_[c.position]);
     for (const Index v : used_) number_[v] = no_index;
     used_.clear();
-    return out;
+    return mesh;
   }
 
  private:
   const std::vector<ElementVertex>& vertices_;
   const SeamedOutlines& outlines_;
-  const std::vector<glm::dvec3>& values_;
   std::vector<Index> number_, used_;
   MeshData data_;
   std::vector<Corner> face_;
@@ -65,32 +60,50 @@ class ObjectElements {
 
 }  // namespace
 
-RadiosityField field_of(const Scene& scene, const Patches& patches, std::span<const glm::dvec3> element_radiosity,
-                        std::uint64_t geometry) {
-  std::vector<glm::dvec3> reflected(element_radiosity.begin(), element_radiosity.end());
-  for (Index e = 0; e < reflected.size(); ++e) reflected[e] -= patches.patches[patches.elements[e].patch].emission;
-  const Outlines outlines = outlines_of(patches);
-  std::vector<glm::dvec3> values = vertex_values(patches, outlines, reflected);
-  const SeamedOutlines seamed = with_seams(patches, outlines);
-  std::vector<ElementVertex> vertices = patches.vertices;
+FieldMeshes::FieldMeshes(const Scene& scene, std::shared_ptr<const Patches> patches)
+    : patches_(std::move(patches)), outlines_(outlines_of(*patches_)) {
+  SeamedOutlines seamed = with_seams(*patches_, outlines_);
+  std::vector<ElementVertex> vertices = patches_->vertices;
   for (const HangingVertex& seam : seamed.seams) {
     const ElementVertex &a = vertices[seam.a], &b = vertices[seam.b];
     const auto mix = [&](const glm::dvec3& p, const glm::dvec3& q) { return p + seam.t * (q - p); };
     vertices.push_back({mix(a.position, b.position), mix(a.local, b.local), mix(a.normal, b.normal), a.surface});
-    values.push_back(mix(values[seam.a], values[seam.b]));
   }
-  RadiosityField field;
-  field.geometry = geometry;
-  field.objects.resize(scene.objects.size());
-  ObjectElements elements(vertices, seamed, values);
-  for (Index e = 0; e < patches.elements.size(); ++e) {
-    const Index object = patches.patches[patches.elements[e].patch].object;
+  objects_.resize(scene.objects.size());
+  ObjectElements elements(vertices, seamed);
+  for (Index e = 0; e < patches_->elements.size(); ++e) {
+    const Index object = patches_->patches[patches_->elements[e].patch].object;
     elements.add(e, mirrors(scene.objects[object].transform));
     const bool last =
-        e + 1 == patches.elements.size() || patches.patches[patches.elements[e + 1].patch].object != object;
-    if (last) field.objects[object] = elements.take(scene.objects[object].mesh);
+        e + 1 == patches_->elements.size() || patches_->patches[patches_->elements[e + 1].patch].object != object;
+    if (!last) continue;
+    objects_[object].mesh = elements.take(objects_[object].vertex);
+    objects_[object].of = scene.objects[object].mesh;
   }
-  return field;
+  seams_ = std::move(seamed.seams);
+}
+
+RadiosityField FieldMeshes::field(std::span<const glm::dvec3> light, std::uint64_t geometry) const {
+  std::vector<glm::dvec3> values = vertex_values(*patches_, outlines_, light);
+  for (const HangingVertex& seam : seams_)
+    values.push_back(values[seam.a] + seam.t * (values[seam.b] - values[seam.a]));
+  RadiosityField out;
+  out.geometry = geometry;
+  for (const Part& part : objects_) {
+    ObjectRadiosity& object = out.objects.emplace_back();
+    object.mesh = part.mesh, object.of = part.of;
+    object.corners.reserve(part.vertex.size());
+    for (const Index v : part.vertex) object.corners.emplace_back(glm::max(values[v], glm::dvec3(0)));
+  }
+  return out;
+}
+
+RadiosityField field_of(const Scene& scene, const Patches& patches, std::span<const glm::dvec3> element_radiosity,
+                        std::uint64_t geometry) {
+  std::vector<glm::dvec3> reflected(element_radiosity.begin(), element_radiosity.end());
+  for (Index e = 0; e < reflected.size(); ++e) reflected[e] -= patches.patches[patches.elements[e].patch].emission;
+  // The patches are there as long as this call: nobody has to own them.
+  return FieldMeshes(scene, {std::shared_ptr<void>(), &patches}).field(reflected, geometry);
 }
 
 }  // namespace cg

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "radiosity/light_part.h"
 #include "radiosity/matrix.h"
 
 namespace cg {
@@ -18,14 +19,6 @@ struct RadiositySystem {
 };
 
 RadiositySystem system_of(const Patches& patches, std::shared_ptr<const FormFactorMatrix> matrix);
-
-// What of the light is looked at.
-enum class LightPart { total, unshot, received, indirect };
-template <>
-inline constexpr std::array<Name, 4> names_of<LightPart>{{{"total", {"Total", "全体"}},
-                                                          {"unshot", {"Not yet shot", "未放出"}},
-                                                          {"received", {"Received", "受け取った光"}},
-                                                          {"indirect", {"Indirect only", "間接光だけ"}}}};
 
 enum class SolverEnd {
   none,       // it goes on
