@@ -94,6 +94,19 @@ void draw_head(App& app, LessonPlayer& player) {
   ImGui::SetCursorScreenPos({at.x, at.y + look.px(40)});
 }
 
+// Opens the panel that the step speaks of.
+void draw_panel_button(App& app, const std::string& panel) {
+  for (std::size_t i = 0; i < names_of<Side>.size(); ++i) {
+    if (panel.empty() || names_of<Side>[i].id != panel) continue;
+    const std::string label = std::string(Words{"Panel: ", "パネル："}.in(app.language())) +
+                              std::string(names_of<Side>[i].label.in(app.language()));
+    if (button(app, "panel",
+               {.label = label, .tip = {"The text comes back with the tab Lesson", "本文には「授業」のタブで戻る"}}))
+      app.settings.side = Side(int(i));
+    ImGui::Dummy({1, app.look.px(4)});
+  }
+}
+
 void draw_text(App& app, LessonPlayer& player, bool presenting) {
   const Language l = app.language();
   if (player.error()) error_text(app, *player.error(), player.folder());
@@ -106,6 +119,7 @@ void draw_text(App& app, LessonPlayer& player, bool presenting) {
   const TextRun title{TextRun::strong, step->in(l).title};
   set_runs(app, std::span(&title, 1), body_style(app));
   ImGui::Dummy({1, app.look.px(4)});
+  if (!presenting) draw_panel_button(app, step->view.panel);
   draw_blocks(app, player, filled(step->in(l).blocks, number), questions);
 }
 

@@ -37,6 +37,7 @@ struct LessonView {
   int light = -1;                   // of that light (all_lights, no_light as in workbench/isolate.h)
   bool handles = true, vertex_normals = false, face_normals = false, wireframe = false, axes = false, clamped = false;
   std::string knob, extreme;  // what the panels of trades and extremes have open; empty: as they are
+  std::string panel;          // the panel that a button above the text opens: "solver"; empty: none
   friend bool operator==(const LessonView&, const LessonView&) = default;
 };
 
@@ -55,6 +56,7 @@ inline constexpr auto fields_of<LessonView> = std::tuple{
     field(&LessonView::clamped, {.name = "clamped", .label = {"Clamped pixels", "クランプ画素"}}),
     field(&LessonView::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
     field(&LessonView::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),
+    field(&LessonView::panel, {.name = "panel", .label = {"Panel", "パネル"}}),
 };
 
 // A number of a step, which the program computes.
