@@ -26,6 +26,19 @@ std::string title(const App& app) {
   return out;
 }
 
+// All of it; else the preset's file alone; else as much of that as there is room for, cut between characters (UTF-8).
+std::string fitting_title(App& app, std::string name, float room) {
+  const auto fits = [&](const std::string& text) { return text_width(app.look.fonts.text, noted(app, text)) <= room; };
+  if (fits(name)) return name;
+  if (!app.preset.empty()) name = std::filesystem::path(app.preset).filename().string();
+  if (fits(name)) return name;
+  while (!name.empty() && !fits(name + "…")) {
+    while (name.size() > 1 && (static_cast<unsigned char>(name.back()) & 0xc0) == 0x80) name.pop_back();
+    name.pop_back();
+  }
+  return name + "…";
+}
+
 struct Item {
   Do what;
   std::string label;
@@ -93,10 +106,13 @@ void draw_top_bar(App& app) {
   const std::string name = place > 0 ? std::string() : title(app);
   const float name_room = room - (x - at.x) - rest_w - files_w - look.px(32);
   if (!name.empty() && name_room > look.px(40)) {
-    draw->PushClipRect({x, at.y}, {x + name_room, at.y + look.px(40)}, true);
-    set_text(draw, look.fonts.text, {x, baseline}, look.palette.dim, noted(app, name));
-    draw->PopClipRect();
-    x += std::min(name_room, text_width(look.fonts.text, name)) + look.px(28);
+    const std::string shown = fitting_title(app, name, name_room);
+    set_text(draw, look.fonts.text, {x, baseline}, look.palette.dim, noted(app, shown));
+    const float wide = text_width(look.fonts.text, shown);
+    ImGui::SetCursorScreenPos({x, at.y});
+    ImGui::InvisibleButton("title", {std::max(wide, 1.0f), look.px(32)});
+    if (shown != name && wants_tooltip(app)) tooltip(app, {}, {}, name);
+    x += wide + look.px(28);
   }
   ImGui::SetCursorScreenPos({x, at.y});
   draw_items(app, files);
