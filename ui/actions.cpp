@@ -49,6 +49,7 @@ constexpr std::array list{
     Action{Do::mesh, {"Mesh", "メッシュ"}, "M", GLFW_KEY_M},
     Action{Do::trade, {"Speed against accuracy", "速さと精度"}, "R", GLFW_KEY_R},
     Action{Do::extremes, {"Extreme values", "極端な値"}, "E", GLFW_KEY_E},
+    Action{Do::solver, {"Radiosity solver", "ラジオシティの解法"}, "G", GLFW_KEY_G},
     Action{Do::next_step, {"Next step", "次のステップ"}, "Page Down", GLFW_KEY_PAGE_DOWN},
     Action{Do::previous_step, {"Previous step", "前のステップ"}, "Page Up", GLFW_KEY_PAGE_UP},
     Action{Do::play, {"Play a slider", "スライダを動かす"}, "Space", GLFW_KEY_SPACE},
@@ -165,8 +166,8 @@ void perform(App& app, Do what) {
     case Do::mesh:
     case Do::trade:
     case Do::extremes:
-      static_assert(int(Do::extremes) - int(Do::lesson) == int(Side::extremes) - int(Side::lesson),
-                    "in the same order");
+    case Do::solver:
+      static_assert(int(Do::solver) - int(Do::lesson) == int(Side::solver) - int(Side::lesson), "in the same order");
       show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
       break;
     case Do::flip_presets:

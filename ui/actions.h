@@ -38,6 +38,7 @@ enum class Do {
   mesh,
   trade,
   extremes,
+  solver,
   code,
   flip_presets,
   turntable,

@@ -20,6 +20,7 @@
 #include "ui/sweep.h"
 #include "workbench/history.h"
 #include "workbench/job.h"
+#include "workbench/overlay.h"
 
 namespace cg {
 
@@ -63,7 +64,7 @@ struct Editing {
 
 // The dialogue that is open, over all else.
 struct Dialogue {
-  enum Kind { none, open, save, picture, export_scene, trade } kind = none;
+  enum Kind { none, open, save, picture, export_scene, trade, save_solution, open_solution } kind = none;
   std::string text;
   bool fresh = false;        // it opens in this frame
   int format = 2;            // of an export: an ExportFormat; of a trade: CSV, JSON, SVG
@@ -78,6 +79,7 @@ class MistakeJobs;
 class Panes;
 class RadiosityDesk;
 class Recorder;
+struct SolverPanel;
 class StateDump;
 class TradeDesk;
 class WorldView;
@@ -122,6 +124,8 @@ struct App {
 
   // Hovering a quantity in one place lights it in all: widgets read `lit` and write `lit_next`.
   Quantity lit = Quantity::none, lit_next = Quantity::none;
+  // What a panel points at, over the pictures: panels write `pointed_next` in every frame.
+  std::vector<Lines> pointed, pointed_next;
 
   CodeView code;
   PresetShelf presets;
@@ -129,6 +133,7 @@ struct App {
   std::shared_ptr<QuizGame> quiz;             // null: none is going on
   std::shared_ptr<TradeDesk> trades;          // through trades_of()
   std::shared_ptr<ExtremesDesk> extremes;     // through extremes_of()
+  std::shared_ptr<SolverPanel> solver;        // through solver_of(); let go with the panes
 
   double content_scale = 1;  // of the monitor
   Editing editing;

@@ -122,6 +122,10 @@ void draw_dialogues(App& app) {
       case Dialogue::trade:
         if (draw_trade_dialogue(app)) close(app);
         break;
+      case Dialogue::save_solution:
+      case Dialogue::open_solution:
+        if (draw_solution_dialogue(app)) close(app);
+        break;
       case Dialogue::none:
         ImGui::CloseCurrentPopup();
         break;

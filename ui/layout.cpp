@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/app.h"
 #include "ui/fill.h"
@@ -84,8 +85,8 @@ bool both_below(const App& app, float width) { return width >= app.look.px(least
 bool side_goes_down(const App& app, float width) {
   const Settings& s = app.settings;
   if (!s.code) return width >= app.look.px(least_equation);
-  const bool reads =
-      s.side == Side::lesson || s.side == Side::challenge || s.side == Side::trade || s.side == Side::extremes;
+  const bool reads = s.side == Side::lesson || s.side == Side::challenge || s.side == Side::trade ||
+                     s.side == Side::extremes || s.side == Side::solver;
   return width >= app.look.px(least_equation) + app.look.px(reads ? least_code : float(s.code_width));
 }
 
@@ -154,6 +155,7 @@ void draw_window(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   keep_quiz(app);
   app.lit = app.lit_next;
   app.lit_next = Quantity::none;
+  app.pointed = std::exchange(app.pointed_next, {});
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

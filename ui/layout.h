@@ -34,6 +34,8 @@ void draw_mesh_panel(App& app);
 void draw_trade_panel(App& app);
 bool draw_large_trade(App& app, ImVec2 size);  // its plot in place of the panes, where that was chosen
 void draw_extremes_panel(App& app);
+void draw_solver_panel(App& app);
+bool draw_large_solver(App& app, ImVec2 size);  // its plot or matrix in place of the panes, where that was chosen
 // On top of all: what was to be said, the list of shortcuts, the dialogues.
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);
@@ -44,5 +46,6 @@ bool path_field(App& app, const Words& hint, float width = 520);
 bool save_field(App& app, const Words& hint, float width = 520);  // with the folder under it
 bool draw_picture_dialogue(App& app);                             // into the popup; true when it is done
 bool draw_trade_dialogue(App& app);                               // the same
+bool draw_solution_dialogue(App& app);                            // the same
 
 }  // namespace cg

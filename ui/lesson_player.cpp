@@ -9,6 +9,7 @@
 #include "workbench/data_folder.h"
 #include "workbench/environment.h"
 #include "workbench/lesson_watcher.h"
+#include "workbench/open.h"
 #include "workbench/preset.h"
 
 namespace cg {
@@ -65,7 +66,8 @@ void LessonPlayer::refresh_list() {
   });
 }
 
-void LessonPlayer::open(const fs::path& folder, std::size_t step, bool enter) {
+void LessonPlayer::open(const fs::path& folder, std::size_t step, bool enter, std::vector<std::string> set) {
+  set_ = std::move(set);
   if (lesson_ && same_place(folder, folder_)) {
     step_ = std::min(step, lesson_->steps.size() - 1);
     return enter_step(enter);
@@ -196,7 +198,17 @@ void LessonPlayer::take_opened(App& app, Opened opened) {
     return;
   }
   start_ = std::move(*opened.scene);
-  if (enter_) apply(app, *start_, lesson_->steps[step_].view);
+  if (enter_) {
+    Scene scene = *start_;
+    try {
+      for (const std::string& text : set_) set_parameter(scene, text);
+      if (!set_.empty()) load_meshes(scene);
+    } catch (const InputError& e) {  // the lesson was edited meanwhile
+      say(app, e);
+    }
+    apply(app, scene, lesson_->steps[step_].view);
+  }
+  set_.clear();
   enter_ = false;
 }
 

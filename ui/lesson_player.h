@@ -57,8 +57,10 @@ class LessonPlayer {
   void refresh_list();
 
   // Opens the lesson in `folder` at a step (from 0; beyond the last is the last). `enter`: its scene, techniques and
-  // view come with it; else the window stays as it is.
-  void open(const std::filesystem::path& folder, std::size_t step = 0, bool enter = true);
+  // view come with it; else the window stays as it is. `set`: what is set in the scene of that step when it comes,
+  // "path=value", known to be possible there.
+  void open(const std::filesystem::path& folder, std::size_t step = 0, bool enter = true,
+            std::vector<std::string> set = {});
   // The one that `name` says, as place() wrote it. Nothing happens where it is not there.
   void resume(const std::string& name, bool enter);
   void close();
@@ -130,9 +132,10 @@ class LessonPlayer {
   std::shared_ptr<const Lesson> lesson_;
   std::optional<InputError> error_;
   std::size_t step_ = 0;
-  bool enter_ = false;          // when the scene of the step is there
-  double next_look_ = 0;        // at the files
-  std::optional<Scene> start_;  // of the step
+  bool enter_ = false;            // when the scene of the step is there
+  std::vector<std::string> set_;  // in that scene
+  double next_look_ = 0;          // at the files
+  std::optional<Scene> start_;    // of the step
   std::vector<NumberResult> numbers_;
   std::map<std::string, TaskState> tasks_;
   std::map<std::pair<std::string, std::size_t>, Answer> answers_;

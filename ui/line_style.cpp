@@ -60,6 +60,10 @@ LineStyle style_of(float scale, Mark mark) {
       return {vector_of(colour_of(mark)), 0.35f, 2.2f * w};
     case Mark::probed_face:
       return {vector_of(IM_COL32(255, 255, 255, 200)), 0.2f, 1.4f * w};
+    case Mark::patch:
+      return {vector_of(IM_COL32(240, 228, 66, 255)), 0.35f, 2.2f * w};
+    case Mark::other_patch:
+      return {vector_of(IM_COL32(86, 180, 233, 255)), 0.35f, 2.2f * w};
     case Mark::camera:
       return {vector_of(IM_COL32(235, 238, 245, 235)), 0.4f, 1.5f * w};
     case Mark::clip_volume:

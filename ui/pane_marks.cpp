@@ -30,7 +30,9 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
   const DrawingHandle& drawing = on_screen_[std::size_t(side)];
   const Settings& s = app.settings;
   const std::shared_ptr<const Probed>& probed = app.probing.results[std::size_t(side)];
-  if (!drawing || !(s.wireframe || s.face_normals || s.vertex_normals || s.handles || s.axes || probed)) return;
+  if (!drawing ||
+      !(s.wireframe || s.face_normals || s.vertex_normals || s.handles || s.axes || probed || !app.pointed.empty()))
+    return;
   LineCall& call = line_calls_[std::size_t(side)];
   call = {this, side, place, {}, {}, {}};
   const Camera& camera = drawing->scene.camera;
@@ -43,6 +45,7 @@ void Panes::paint_lines(App& app, int side, const Place& place) {
   if (s.axes)
     for (Lines& axis : axis_lines(1.2)) call.more.push_back(std::move(axis));
   if (probed) add_probe_lines(app, *probed, camera, 0.2, call.more);
+  call.more.insert(call.more.end(), app.pointed.begin(), app.pointed.end());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect(place.low, place.high, true);
   const ImVec2 low = draw->GetClipRectMin(), high = draw->GetClipRectMax();

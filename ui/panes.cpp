@@ -63,7 +63,7 @@ Panes::Panes(const App& app)
 }
 
 void draw_panes(App& app, ImVec2 size) {
-  if (draw_large_trade(app, size)) return;
+  if (draw_large_trade(app, size) || draw_large_solver(app, size)) return;
   if (!app.panes) app.panes = std::make_shared<Panes>(app);
   app.panes->draw(app, size);
 }

@@ -1,26 +1,46 @@
 #include "ui/radiosity_desk.h"
 
 #include "params/input_error.h"
+#include "ui/solver_panel.h"
 #include "workbench/job.h"
 #include "workbench/model_library.h"
 
 namespace cg {
 
-RadiosityHandle RadiosityDesk::update(const Scene& scene) {
-  if (!wants_radiosity(scene)) return nullptr;
+RadiosityHandle RadiosityDesk::update(const Scene& scene, bool always) {
+  if (!always && !wants_radiosity(scene)) return nullptr;
+  RadiosityHandle drawn;
+  {
+    const std::lock_guard lock(mutex_);
+    if (newest_.field && same_places(solved_, scene)) drawn = newest_.field;
+  }
   if (Scene inputs = radiosity_inputs(scene); !asked_ || !(*asked_ == inputs)) {
     asked_ = inputs;
     worker_.submit([this, inputs = std::move(inputs)](Progress& progress) { solve(inputs, progress); }, true);
   }
+  return drawn;
+}
+
+void RadiosityDesk::take(const Scene& scene, SceneRadiosity solution) {
+  asked_ = radiosity_inputs(scene);
+  worker_.submit([](Progress&) {}, true);
   const std::lock_guard lock(mutex_);
-  return newest_.field && same_places(solved_, scene) ? newest_.field : nullptr;
+  ++taken_;  // what is being solved is of no use any more
+  newest_ = std::move(solution), solved_ = *asked_, message_.reset();
+}
+
+void RadiosityDesk::solve_again() {
+  asked_.reset();
+  const std::lock_guard lock(mutex_);
+  newest_ = {}, solved_ = {};
 }
 
 void RadiosityDesk::solve(Scene scene, Progress& progress) {
   SceneRadiosity earlier, solved;
+  std::size_t taken = 0;
   {
     const std::lock_guard lock(mutex_);
-    earlier = newest_;
+    earlier = newest_, taken = taken_;
   }
   std::optional<Text> message;
   try {
@@ -36,6 +56,7 @@ void RadiosityDesk::solve(Scene scene, Progress& progress) {
   }
   {
     const std::lock_guard lock(mutex_);
+    if (taken != taken_) return;
     message_ = std::move(message);
     if (!message_) newest_ = std::move(solved), solved_ = std::move(scene);
   }
@@ -46,7 +67,7 @@ RadiosityDesk::State RadiosityDesk::state() const {
   const bool busy = worker_.busy();
   const float fraction = worker_.fraction();
   const std::lock_guard lock(mutex_);
-  return {busy, fraction, newest_, message_};
+  return {busy, fraction, newest_, solved_, message_};
 }
 
 RadiosityDesk& desk_of(App& app) {
@@ -57,6 +78,7 @@ RadiosityDesk& desk_of(App& app) {
 Scene scene_with_solution(App& app) {
   Scene scene = app.scene;
   if (wants_radiosity(scene)) scene.radiosity_field = desk_of(app).update(app.scene);
+  draw_solver_state(app, scene);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "params/slots.h"
+#include "radiosity/light_part.h"
 #include "workbench/view_mode.h"
 
 namespace cg {
@@ -13,9 +14,9 @@ template <>
 inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
 
 // What the right side shows.
-enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh, trade, extremes };
+enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh, trade, extremes, solver };
 template <>
-inline constexpr std::array<Name, 10> names_of<Side>{{{"none", {"Closed", "閉じる"}},
+inline constexpr std::array<Name, 11> names_of<Side>{{{"none", {"Closed", "閉じる"}},
                                                       {"lesson", {"Lesson", "授業"}},
                                                       {"world", {"World", "外から"}},
                                                       {"mistakes", {"Mistakes", "間違い"}},
@@ -24,7 +25,8 @@ inline constexpr std::array<Name, 10> names_of<Side>{{{"none", {"Closed", "閉�
                                                       {"plan", {"Plan", "計画"}},
                                                       {"mesh", {"Mesh", "メッシュ"}},
                                                       {"trade", {"Trade", "速さと精度"}},
-                                                      {"extremes", {"Extremes", "極端な値"}}}};
+                                                      {"extremes", {"Extremes", "極端な値"}},
+                                                      {"solver", {"Solver", "解法"}}}};
 
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
@@ -56,12 +58,14 @@ struct Settings {
   bool clamped = false;  // mark the pixels that clamping changed
   double normal_length = 0.08;
   Side side = Side::none;
-  bool divided_by_w = false;           // the view from outside
-  bool code = true;                    // the listing, beside the equation;
-  bool code_in_front = false;          // or, where there is no room for both, before it
-  std::string knob, extreme;           // ids of what the panels of trades and extremes have open; empty: none
-  std::string lesson;                  // where the open lesson is: "03-shading:2"; empty: none
-  Recorded picture = Recorded::right;  // what is saved or recorded
+  bool divided_by_w = false;                 // the view from outside
+  LightPart solver_part = LightPart::total;  // what of the light is drawn while the solver's panel is open,
+  double solver_speed = 100;                 // and how many steps a second it plays
+  bool code = true;                          // the listing, beside the equation;
+  bool code_in_front = false;                // or, where there is no room for both, before it
+  std::string knob, extreme;                 // ids of what the panels of trades and extremes have open; empty: none
+  std::string lesson;                        // where the open lesson is: "03-shading:2"; empty: none
+  Recorded picture = Recorded::right;        // what is saved or recorded
   RecordedAs record_as = RecordedAs::gif;
   double sweep_seconds = 4;  // that a slider which plays takes from end to end
   double left_width = 312, right_width = 320, strip_height = 200, code_width = 640;  // of the layout, units
@@ -116,6 +120,15 @@ inline constexpr auto fields_of<Settings> = std::tuple{
                                      .label = {"Length of drawn normals", "法線の長さ（表示）"}}),
     field(&Settings::side, {.name = "side", .label = {"Right side", "右側"}}),
     field(&Settings::divided_by_w, {.name = "divided_by_w", .label = {"After the division by w", "w で割った後"}}),
+    field(&Settings::solver_part, {.name = "solver_part", .label = {"Light shown", "表示する光"}}),
+    field(&Settings::solver_speed, {.name = "solver_speed",
+                                    .unit = "1/s",
+                                    .range = {0.1, 1e7},
+                                    .slider = Range{1, 1e5},
+                                    .scale = Scale::logarithmic,
+                                    .label = {"Steps a second", "1 秒のステップ数"},
+                                    .help = {"How fast it plays: a step is one row of the matrix, or one shot.",
+                                             "再生の速さ。1 ステップは行列の 1 行、または 1 回の放出。"}}),
     field(&Settings::lesson, {.name = "lesson", .label = {"Lesson", "授業"}}),
     field(&Settings::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
     field(&Settings::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),

@@ -8,6 +8,7 @@
 #include "ui/extremes_desk.h"
 #include "ui/lesson_player.h"
 #include "ui/recording.h"
+#include "ui/solver_panel.h"
 #include "ui/trade_desk.h"
 #include "workbench/preset.h"
 
@@ -60,6 +61,20 @@ Tree trade_state(const App& app) {
   return out;
 }
 
+Tree solver_state(const App& app) {
+  Tree out;
+  out.at("busy") = solver_at_work(app);
+  if (!app.solver) return out;
+  out.at("playing") = app.solver->desk.playing();
+  const SolverStateHandle now = app.solver->desk.state().newest;
+  if (!now) return out;
+  out.at("solver") = std::string(names_of<RadiositySolver>[std::size_t(now->task->options.solver)].id);
+  out.at("step") = double(now->step);
+  out.at("patches") = double(now->task->solution->patches->patches.size());
+  out.at("ended") = now->end != SolverEnd::none;
+  return out;
+}
+
 Tree extremes_state(const App& app) {
   Tree out;
   out.at("checking") = app.extremes && app.extremes->checking_all();
@@ -89,6 +104,7 @@ void StateDump::write(App& app, bool busy) {
   out.at("challenge") = challenge_state(app);
   out.at("trade") = trade_state(app);
   out.at("extremes") = extremes_state(app);
+  out.at("solver") = solver_state(app);
   out.at("presenting") = app.presenter.on;
   out.at("black") = app.presenter.black;
   out.at("sweeping") = app.sweep.item != 0;
@@ -96,8 +112,9 @@ void StateDump::write(App& app, bool busy) {
   out.at("can_undo") = app.history.can_undo();
   out.at("can_redo") = app.history.can_redo();
   out.at("full_screen") = app.presenter.full;
-  out.at("calm") = app.figures.valid && !busy && !app.gesture && !ImGui::IsAnyMouseDown() && !app.errands->busy() &&
-                   !app.look.glyphs.changed && !lessons_of(app).busy() && !lessons_of(app).loading();
+  out.at("calm") = app.figures.valid && !solver_at_work(app) && !busy && !app.gesture && !ImGui::IsAnyMouseDown() &&
+                   !app.errands->busy() && !app.look.glyphs.changed && !lessons_of(app).busy() &&
+                   !lessons_of(app).loading();
   out.at("dialogue") = int(app.dialogue.kind);
   out.at("help") = app.help;
   Tree::List said;

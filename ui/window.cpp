@@ -28,6 +28,7 @@
 #include "ui/radiosity_desk.h"
 #include "ui/recording.h"
 #include "ui/screenshot.h"
+#include "ui/solver_panel.h"
 #include "ui/state_dump.h"
 #include "ui/trade_desk.h"
 #include "workbench/environment.h"
@@ -198,14 +199,24 @@ void draw_frame(App& app, Surface& surface) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void set_settings(App& app, const std::vector<std::string>& texts) {
+// Those of the window's settings at once; the others, of the scene, are returned.
+std::vector<std::string> set_settings(App& app, const std::vector<std::string>& texts) {
+  std::vector<std::string> others;
   const Slots all = slots(app.settings);
   for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw InputError(text, {"no = in it", "= がありません"}, {"path=value", "path=value"});
-    assign_text(find_slot(all, text.substr(0, equals)), text.substr(equals + 1));
+    const std::string path = text.substr(0, text.find('='));
+    const bool own = std::any_of(all.begin(), all.end(), [&](const Slot& slot) { return slot.path == path; });
+    if (path.size() == text.size() || (!own && path.find('.') != path.npos))
+      others.push_back(text);
+    else
+      assign_text(find_slot(all, path), text.substr(path.size() + 1));
   }
+  return others;
+}
+
+void set_parameters(Scene& scene, const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) set_parameter(scene, text);
+  if (!texts.empty()) load_meshes(scene);
 }
 
 // Before there is a window: what cannot be opened ends the program with its message.
@@ -218,18 +229,18 @@ void open_at_start(App& app, const std::string& what) {
 }
 
 // The lesson of the last session, which goes on where it was; or the step that was named, with its view.
-void open_lesson_at_start(App& app, const std::string& scene) {
+void open_lesson_at_start(App& app, const std::string& scene, const std::vector<std::string>& set) {
   const std::optional<StepName> named = scene.empty() ? std::nullopt : find_step(scene);
   if (!named) return lessons_of(app).resume(app.settings.lesson, false);
-  lessons_of(app).open(named->folder, named->step);
-  app.settings.side = Side::lesson;
+  lessons_of(app).open(named->folder, named->step, true, set);
+  if (app.settings.side == Side::none) app.settings.side = Side::lesson;
 }
 
 // What lives on the window's OpenGL context goes before it.
 struct ContextUsers {
   App& app;
   ~ContextUsers() {
-    app.panes.reset(), app.world.reset(), app.radiosity.reset();
+    app.panes.reset(), app.world.reset(), app.solver.reset(), app.radiosity.reset();
     app.challenge.reset();
     app.trades.reset();
   }
@@ -251,15 +262,16 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
                      options.keep_session ? config_folder() : std::nullopt);
   WindowPlacement place;
   if (options.keep_session) restore(app, place, store, options.scene.empty());
-  set_settings(app, options.set);
+  const std::vector<std::string> set = set_settings(app, options.set);
   choose_techniques(app);
   if (options.width > 0 && options.height > 0) place = {options.width, options.height};
   app.bundled = bundled_models();
   if (!options.state.empty()) app.dump = std::make_shared<StateDump>(options.state);
   if (!options.scene.empty()) open_at_start(app, options.scene);
   if (app.scene.objects.empty()) app.scene = open_scene(std::string(shapes().front().id));
+  set_parameters(app.scene, set);
   app.history.restart(app.scene);
-  open_lesson_at_start(app, options.scene);
+  open_lesson_at_start(app, options.scene, set);
   start.mark("scene");
   if (options.scale > 0) app.content_scale = options.scale;
   Dress dress(app);  // the fonts are built while the window opens

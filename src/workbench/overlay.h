@@ -24,7 +24,9 @@ enum class Mark {
   vector_V,
   vector_H,
   probed_face,
-  camera,  // seen from outside
+  patch,        // that a panel points at,
+  other_patch,  // and the one that it is seen from, or sees
+  camera,       // seen from outside
   clip_volume
 };
 

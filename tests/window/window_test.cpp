@@ -203,6 +203,43 @@ TEST_F(Window, AnExtremeIsAppliedAndChecked) {
   wait_scene("the scene of the beginning", beginning);
 }
 
+TEST_F(Window, TheRadiositySolverIsSteppedAndPlayed) {
+  open(1280, 720, {"models/cornell-box.json", "--set", "radiosity.patch_size=0.25", "--set", "solver_speed=2000"});
+  const Tree beginning = at(window->state(), "scene");
+  EXPECT_EQ(at(beginning, "radiosity.patch_size"), Tree(0.25));
+  window->key("g");
+  wait_is("solver.step", 0);
+  window->click("button:solver step");
+  window->click("button:solver step");
+  wait_is("solver.step", 2);
+  window->click("button:solver back");
+  wait_is("solver.step", 1);
+  window->click("button:solver sweep");
+  const double patches = *at(window->state(), "solver.patches").number();
+  wait_is("solver.step", patches);
+  screenshot("solver-sweep-en");
+  window->click("button:solver play");
+  wait_is("solver.playing", true);
+  window->wait("some steps", [&](const Tree& s) { return *at(s, "solver.step").number() > patches + 10; });
+  window->click("button:solver play");
+  wait_is("solver.playing", false);
+  const Tree there = at(window->state(), "solver.step");
+  window->click("button:solver end");
+  window->wait("its end", [](const Tree& s) { return at(s, "solver.ended") == Tree(true); });
+  EXPECT_NE(at(window->state(), "solver.step"), there);
+  window->click("button:Matrix");
+  const auto matrix = window->place("matrix");
+  window->move(0.3 * matrix[0] + 0.7 * matrix[2], 0.6 * matrix[1] + 0.4 * matrix[3]);
+  window->key("l");
+  wait_is("settings.language", "ja");
+  screenshot("solver-matrix-ja");
+  window->click("button:solver reset");
+  wait_is("solver.step", 0);
+  // What was seen of it is no part of the scene.
+  wait_scene("the scene of the beginning", beginning);
+  EXPECT_EQ(at(window->state(), "can_undo"), Tree(false));
+}
+
 TEST_F(Window, ASliderPlaysAndIsOneStepOfUndo) {
   open(1280, 720, {"torus", "--set", "sweep_seconds=0.5"});
   const Tree beginning = at(window->state(), "scene");
