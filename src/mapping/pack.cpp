@@ -221,9 +221,9 @@ std::vector<std::size_t> order_of(const std::vector<std::array<Mask, 4>>& masks,
   return order;
 }
 
-// All pieces at that scale, in the first order that works.
+// All pieces at that scale, in the first of so many orders that works.
 std::vector<Placed> try_scale(const std::vector<FlatPiece>& pieces, const std::vector<Box>& boxes, double scale,
-                              double reach) {
+                              double reach, std::size_t most_orders) {
   std::vector<std::array<Mask, 4>> masks(pieces.size());
   in_parallel(pieces.size(), [&](std::size_t i) {
     masks[i][0] = mask_of(pieces[i], boxes[i], scale, reach);
@@ -232,7 +232,7 @@ std::vector<Placed> try_scale(const std::vector<FlatPiece>& pieces, const std::v
   for (const auto& m : masks)
     if (m[0].rows.empty()) return {};
   std::array<std::vector<Placed>, orders> placed;
-  in_parallel(pieces.size() > 1 ? orders : 1,
+  in_parallel(pieces.size() > 1 ? most_orders : 1,
               [&](std::size_t way) { placed[way] = place_in_order(masks, order_of(masks, way)); });
   for (auto& p : placed)
     if (!p.empty()) return std::move(p);
@@ -283,16 +283,16 @@ void pack(std::vector<FlatPiece>& pieces, double margin) {
   double reach = 0.5 * margin * cells;
   double scale = cells * std::min(std::sqrt(1 / std::max(area, 1e-300)), 1 / std::max(longest, 1e-300));
   std::vector<Placed> placed;
-  double too_large = scale;
   for (int trial = 1; placed.empty(); ++trial) {
-    placed = try_scale(pieces, boxes, scale, reach);
+    placed = try_scale(pieces, boxes, scale, reach, 1);
     if (!placed.empty()) break;
-    too_large = scale, scale *= 0.94;
+    scale *= 0.94;
     if (trial % 16 == 0) reach *= 0.5;
   }
-  for (int trial = 0; trial < 4 && too_large > scale; ++trial) {
+  double too_large = scale * 1.15;
+  for (int trial = 0; trial < 4; ++trial) {
     const double between = 0.5 * (scale + too_large);
-    std::vector<Placed> next = try_scale(pieces, boxes, between, reach);
+    std::vector<Placed> next = try_scale(pieces, boxes, between, reach, orders);
     if (next.empty())
       too_large = between;
     else

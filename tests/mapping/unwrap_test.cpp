@@ -11,6 +11,7 @@
 #include "mapping/flatten.h"
 #include "mapping/pack.h"
 #include "mapping/simple_border.h"
+#include "math/counter_random.h"
 #include "math/transform.h"
 #include "params/input_error.h"
 #include "scene/bundled_models.h"
@@ -302,6 +303,40 @@ TEST(Unwrap, LivesWithOddMeshes) {
     for (const glm::dvec2& p : layout.uv) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
     EXPECT_EQ(figures_of(layout, 512).overlapping_pixels, 0u);
   }
+}
+
+// Random faces over few vertices: most meet at edges of many faces, are turned round, cross each other. Triangles never
+// flip or overlap in the texture; polygons that cross themselves may.
+TEST(Unwrap, LivesWithAnyMesh) {
+  std::size_t unwrapped = 0;
+  for (std::uint64_t seed = 0; seed < 32; ++seed) {
+    std::uint64_t counter = 0;
+    const auto random = [&](int n) { return int(random_number(seed, counter++) * n); };
+    MeshData data;
+    for (int i = 0; i < 40; ++i) data.positions.push_back({random(4), random(4), random(4)});
+    const bool triangles = seed % 2 == 0;
+    for (int f = 2 + random(12); f > 0; --f) {
+      std::vector<Corner> corners;
+      for (int k = triangles ? 3 : 3 + random(4); k > 0; --k) corners.push_back({std::uint32_t(random(40))});
+      data.add_face(corners.data(), corners.data() + corners.size());
+    }
+    const MeshHandle mesh = Mesh::make(data);
+    Unwrapping options;
+    options.method = UnwrapMethod(seed / 2 % 4);
+    options.automatic_seams = seed % 16 < 14;
+    try {
+      const UvLayout layout = unwrap(mesh, options);
+      ++unwrapped;
+      for (const glm::dvec2& p : layout.uv) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << seed;
+      const LayoutFigures f = figures_of(layout, 256);
+      if (triangles && options.automatic_seams) {
+        EXPECT_EQ(f.distortion.flipped, 0u) << seed;
+        EXPECT_EQ(f.overlapping_pixels, 0u) << seed;
+      }
+    } catch (const InputError&) {
+    }
+  }
+  EXPECT_GT(unwrapped, 16u);
 }
 
 TEST(Pack, TurnsToTheSmallestBox) {
