@@ -23,6 +23,7 @@ class Channels {
   }
 
   std::size_t size() const { return size_; }
+  std::size_t bytes() const { return size_ * sizeof(Quad) + 3 * padded_size() * sizeof(double); }
   // Its size is rounded up to whole lanes; the rest is 0.
   const double* plane(int channel) const { return planes_[std::size_t(channel)].data(); }
   std::size_t padded_size() const { return planes_[0].size(); }

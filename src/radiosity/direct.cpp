@@ -24,7 +24,7 @@ class Direct final : public Iteration {
   explicit Direct(std::shared_ptr<const SolverData> data) : data_(std::move(data)), b_(data_->emission) {}
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Direct>(*this); }
-  std::size_t bytes() const override { return b_.size() * sizeof(glm::dvec3); }
+  std::size_t bytes() const override { return b_.bytes(); }
   std::size_t steps_a_sweep() const override { return 1; }
   std::optional<Standing> standing() const override { return standing_; }
   std::optional<std::size_t> active() const override { return std::nullopt; }

@@ -32,7 +32,7 @@ class Gather final : public Iteration {
         change_(b_.size()) {}
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Gather>(*this); }
-  std::size_t bytes() const override { return b_.size() * sizeof(glm::dvec3) * (gauss_seidel_ ? 2 : 3); }
+  std::size_t bytes() const override { return (gauss_seidel_ ? 2 : 3) * b_.bytes(); }
   std::size_t steps_a_sweep() const override { return b_.size(); }
   std::optional<Standing> standing() const override { return standing_; }
   std::optional<std::size_t> active() const override { return row_; }

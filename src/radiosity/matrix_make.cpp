@@ -92,7 +92,10 @@ void FormFactorMatrix::make_sparse(std::size_t rows, std::size_t bytes, int thre
       if (needs > bytes) return figures_.resize(kept_);
       bytes -= needs;
       note(kept_++, made[k]);
-      sparse_.emplace_back(made[k].factors.begin(), made[k].factors.end());
+      std::vector<FormFactor>& row = made[k].factors;
+      row.capacity() == row.size() ? sparse_.push_back(std::move(row))
+                                   : void(sparse_.emplace_back(row.begin(), row.end()));
+      row = {};
     }
     workers.done(float(begin + count) / float(rows));
   }

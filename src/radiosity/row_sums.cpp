@@ -1,5 +1,6 @@
 #include "radiosity/row_sums.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace cg {
@@ -24,6 +25,7 @@ std::uint32_t RowSums::lying_on(const ItemScene& scene, const glm::dvec3& positi
 
 FormFactorRow RowSums::finish(bool normalise) const {
   FormFactorRow row;
+  row.factors.reserve(std::size_t(std::count_if(of_patch.begin(), of_patch.end(), [](double f) { return f > 0; })));
   for (std::size_t p = 0; p < of_patch.size(); ++p)
     if (of_patch[p] > 0) {
       row.sum += of_patch[p];

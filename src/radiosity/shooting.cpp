@@ -29,7 +29,7 @@ class Shooting final : public Iteration {
   }
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Shooting>(*this); }
-  std::size_t bytes() const override { return b_.size() * sizeof(glm::dvec3) * 3; }
+  std::size_t bytes() const override { return 3 * b_.bytes(); }
   std::size_t steps_a_sweep() const override { return b_.size(); }
   std::optional<Standing> standing() const override { return standing_; }
   std::optional<std::size_t> active() const override { return next_; }

@@ -124,6 +124,7 @@ class Making {
 
   void solve() {
     Solver solver(system_of(*out_->patches, out_->matrix), out_->options, how_.threads, &progress_);
+    solver.forget_states();
     solver.run(progress_);
     RadiosityFigures& f = out_->figures;
     f.solve_s = lap(begin_);

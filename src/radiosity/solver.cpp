@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -202,7 +203,10 @@ void Solver::run(Progress& progress) {
   }
 }
 
+void Solver::forget_states() { parts_->history.close(); }
+
 void Solver::go_to(std::size_t step, Progress& progress) {
+  assert(step >= steps() || parts_->history.nearest(step));
   if (step < steps()) parts_->restore(*parts_->history.nearest(step));
   parts_->start();
   while (steps() < step && parts_->end == SolverEnd::none) {

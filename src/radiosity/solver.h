@@ -57,6 +57,8 @@ class Solver {
   // Back or forward to where `step` steps had been done. Back: from the nearest state that is remembered, forward
   // again; states lie the denser the younger they are, and take 256 MiB at most.
   void go_to(std::size_t step, Progress& progress);
+  // From now on no states are remembered: for who only goes forward.
+  void forget_states();
 
   std::size_t steps() const;
   std::size_t steps_a_sweep() const;

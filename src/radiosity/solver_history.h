@@ -12,8 +12,15 @@ class SolverHistory {
     std::unique_ptr<Iteration> iteration;
   };
 
+  // Nothing from now on.
+  void close() {
+    states_.clear();
+    closed_ = true;
+  }
+
   // Forgets what is younger, and of the older what lies close together.
   void remember(std::size_t step, double seconds, const Iteration& iteration) {
+    if (closed_) return;
     forget_after(step);
     if (!states_.empty() && states_.back().step == step) return;
     states_.push_back({step, seconds, iteration.copy()});
@@ -53,6 +60,7 @@ class SolverHistory {
 
   std::vector<State> states_;
   std::size_t bytes_ = 0;
+  bool closed_ = false;
 };
 
 }  // namespace cg

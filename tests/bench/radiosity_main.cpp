@@ -1,15 +1,29 @@
-// bench_radiosity [--largest N]: what radiosity costs. A Gauss-Seidel sweep beside one read of the matrix, LU beside
-// Gauss-Seidel, the Cornell box phase by phase, and how time and memory grow with the patches. One process and CPU
-// time; what is compared takes turns, so that both see the machine at the same speed.
+// bench_radiosity [--grow FILE N...] [--memory MIB]: what radiosity costs, in CPU time; what is compared takes turns in
+// one process, so that both see the machine at the same speed.
+//   without options: a Gauss-Seidel sweep beside one read of the matrix, LU beside Gauss-Seidel, and what rows that are
+//     made reciprocal cost and keep
+//   --grow FILE N...: the Cornell box with about N patches each, R = 128, one position, phase by phase, each in a
+//   process
+//     of its own that tells its largest memory; adds a line each to FILE, and fits all lines of FILE: sizes that take
+//     long can be run one at a time, as in --grow growth.txt 65536
+//   --memory MIB: 100000 patches where only so much may be kept: some shots of progressive refinement, beside the plan
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <span>
+#include <sstream>
 
 #include "radiosity/solution.h"
 #include "scene/cornell_box.h"
 #include "scene/cpu_clock.h"
+#include "tests/radiosity/scenes.h"
 
 namespace {
 
@@ -139,50 +153,199 @@ double patch_size_for(const Scene& scene, std::size_t patches) {
 }
 
 struct Grown {
-  double patches, form_factors_s, solve_s, bytes;
+  double patches = 0, patches_s = 0, form_factors_s = 0, solve_s = 0, matrix_mib = 0, peak_mib = 0;
+};
+constexpr std::pair<const char*, double Grown::*> columns[] = {
+    {"patches", &Grown::patches}, {"patches_s", &Grown::patches_s},   {"form_factors_s", &Grown::form_factors_s},
+    {"solve_s", &Grown::solve_s}, {"matrix_MiB", &Grown::matrix_mib}, {"peak_MiB", &Grown::peak_mib},
 };
 
-Grown solve_box(Scene scene, std::size_t patches) {
-  Progress progress;
-  scene.radiosity.patch_size = patch_size_for(scene, patches);
-  const SolutionHandle s = solve_radiosity(scene, scene.radiosity, nullptr, progress);
-  const RadiosityFigures& f = s->figures;
-  std::printf(
-      "  %6zu patches: patches %.3f s, form factors %.2f s, solve %.3f s (%.0f sweeps), %.0f MiB %s, "
-      "%zu of %zu rows kept, missed %zu\n",
-      s->patches->patches.size(), f.patches_s, f.form_factors_s, f.solve_s, f.sweeps, double(f.matrix_bytes) / 1048576,
-      s->matrix->storage() == Storage::dense ? "dense" : "sparse", s->matrix->kept_rows(), s->matrix->size(),
-      f.matrix.missed);
+// What this process had in memory at most, MiB. (It begins at what the one before fork() had.)
+double peak_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024;
+}
+
+// work() in a process of its own, which ends with it.
+template <class Work>
+void apart(const Work& work) {
   std::fflush(stdout);
-  return {double(s->patches->patches.size()), f.form_factors_s, f.solve_s, double(f.matrix_bytes)};
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    std::fflush(stdout);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (status != 0) std::printf("  it ended with status %d\n", status);
+}
+
+std::vector<double> areas_of(const Patches& patches) {
+  std::vector<double> out;
+  for (const Patch& p : patches.patches) out.push_back(p.area);
+  return out;
+}
+
+// Seconds of processor time.
+template <class Work>
+double seconds_of(const Work& work) {
+  return cpu_ms_of(work) / 1e3;
+}
+
+// What the rows would take, from some that are spread evenly: where not all of them fit.
+void estimate_rows(Grown& g, const FormFactorMethod& method, const MatrixPlan& all) {
+  constexpr std::size_t tried = 256;
+  Progress progress;
+  g.form_factors_s = seconds_of([&] {
+    for (std::size_t t = 0; t < tried; ++t) method.row(std::uint32_t((2 * t + 1) * all.rows / (2 * tried)), progress);
+  });
+  g.form_factors_s *= double(all.rows) / double(tried);
+  g.matrix_mib = double(all.bytes) / 1048576;
+  std::printf("  %zu patches: form factors from %zu rows, as all would take %.0f MiB; not solved\n", all.rows, tried,
+              g.matrix_mib);
+}
+
+void grow(const char* file, std::size_t wanted) {
+  const double most_bytes = 0.5 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  Scene scene = cornell_box();
+  Radiosity& o = scene.radiosity;
+  o.samples = 1;
+  o.patch_size = patch_size_for(scene, wanted);
+  Progress progress;
+  Grown g;
+  Patches patches;
+  g.patches_s = seconds_of([&] { patches = make_patches(scene, o, progress); });
+  const std::size_t n = patches.patches.size();
+  g.patches = double(n);
+  const FormFactorMethod method = form_factor_method(patches, o);
+  const MatrixPlan plan = plan_matrix(n, method, 1e9, progress);
+  if (double(plan.bytes) > most_bytes) {
+    estimate_rows(g, method, plan);
+  } else {
+    std::shared_ptr<const FormFactorMatrix> matrix;
+    g.form_factors_s = seconds_of(
+        [&] { matrix = FormFactorMatrix::make(plan, method, areas_of(patches), patches.closed, 1, progress); });
+    Solver solver(system_of(patches, matrix), o);
+    solver.forget_states();
+    g.solve_s = seconds_of([&] { solver.run(progress); });
+    g.matrix_mib = double(matrix->bytes()) / 1048576;
+    std::size_t missed = 0;
+    for (const RowFigures& row : matrix->row_figures()) missed += row.missed;
+    std::printf("  %zu patches: %s, %.0f sweeps, missed %zu\n", n, plan.text().en.c_str(), solver.sweeps(), missed);
+  }
+  g.peak_mib = peak_mib();
+  if (std::FILE* out = std::fopen(file, "a")) {
+    for (const auto& [name, value] : columns) std::fprintf(out, "%s %g ", name, g.*value);
+    std::fprintf(out, "\n");
+    std::fclose(out);
+  }
+}
+
+std::vector<Grown> read_growth(const char* file) {
+  std::vector<Grown> out;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string name;
+    Grown g;
+    for (const auto& [column, value] : columns) words >> name >> g.*value;
+    if (words) out.push_back(g);
+  }
+  std::sort(out.begin(), out.end(), [](const Grown& a, const Grown& b) { return a.patches < b.patches; });
+  return out;
 }
 
 // The exponent p of value ~ patches^p, by least squares of logarithms.
 double exponent(const std::vector<Grown>& grown, double Grown::*value) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const Grown& g : grown) {
-    const double a = std::log(g.patches), b = std::log(std::max(g.*value, 1e-9));
+    if (!(g.*value > 0)) continue;  // not measured
+    const double a = std::log(g.patches), b = std::log(g.*value);
     n += 1, x += a, y += b, xx += a * a, xy += a * b;
   }
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
+void print_growth(const std::vector<Grown>& grown) {
+  for (const auto& [name, value] : columns) std::printf("  %14s", name);
+  for (const Grown& g : grown) {
+    std::printf("\n");
+    for (const auto& [name, value] : columns) std::printf("  %14.4g", g.*value);
+  }
+  if (grown.size() > 1) {
+    std::printf("\n  %14s", "~ patches^");
+    for (const auto& [name, value] : std::span(columns).subspan(1)) std::printf("  %14.2f", exponent(grown, value));
+  }
+  std::printf("\n");
+}
+
+void few_shots(double memory) {
+  constexpr std::size_t shots = 20;
+  Scene scene = cornell_box();
+  Radiosity& o = scene.radiosity;
+  o.solver = RadiositySolver::progressive, o.samples = 1, o.memory = memory;
+  o.patch_size = patch_size_for(scene, 100000);
+  Progress progress;
+  const double before = peak_mib();
+  const Patches patches = make_patches(scene, o, progress);
+  const FormFactorMethod method = form_factor_method(patches, o);
+  const MatrixPlan plan = plan_matrix(patches.patches.size(), method, memory, progress);
+  const double begun = peak_mib();
+  std::shared_ptr<const FormFactorMatrix> matrix;
+  const double made_s =
+      seconds_of([&] { matrix = FormFactorMatrix::make(plan, method, areas_of(patches), false, 1, progress); });
+  Solver solver(system_of(patches, matrix), o);
+  solver.forget_states();
+  const double shot_s = seconds_of([&] {
+    while (solver.steps() < shots) solver.step(progress);
+  });
+  std::printf("  %zu patches, %.0f MiB before the rows\n  planned: %s\n", patches.patches.size(), begun - before,
+              plan.text().en.c_str());
+  std::printf("  rows %.1f s, %zu shots %.2f s, error below %.2f; %.0f MiB more at most, %.0f planned\n", made_s, shots,
+              shot_s, solver.curve().back().error_bound, peak_mib() - begun, double(plan.bytes) / 1048576);
+}
+
+// What it costs that a closed room's rows are reciprocal, and what that keeps of the light that the floor emits.
+void reciprocal_against_rows(double patch_size) {
+  const auto walls = testing::room({1, 1, 1});
+  Scene scene = testing::scene_of(
+      {testing::object_of({walls[0]}, "floor"), testing::object_of({walls.begin() + 1, walls.end()}, "walls")});
+  scene.material.k_d = glm::dvec3(0.8);
+  scene.objects[0].own_material = true;
+  scene.objects[0].material.emission = glm::dvec3(1);
+  Radiosity& o = scene.radiosity;
+  o.patch_size = patch_size, o.resolution = 64, o.samples = 1;
+  Progress progress;
+  for (const Normalise n : {Normalise::none, Normalise::rows, Normalise::reciprocal}) {
+    o.normalise = n;
+    const SolutionHandle s = solve_radiosity(scene, o, nullptr, progress);
+    std::printf("  %5zu patches, %-10s: form factors %.3f s, energy off %.1e\n", s->radiosity.size(),
+                names_of<Normalise>[std::size_t(n)].id.data(), s->figures.form_factors_s, s->figures.energy_error);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::size_t largest = 16384;
-  if (argc == 3 && std::strcmp(argv[1], "--largest") == 0) largest = std::size_t(std::atol(argv[2]));
+  if (argc > 3 && std::strcmp(argv[1], "--grow") == 0) {
+    std::printf("The Cornell box, hemicube R = 128, one position, one thread\n");
+    for (int i = 3; i < argc; ++i) apart([&] { grow(argv[2], std::size_t(std::atol(argv[i]))); });
+    print_growth(read_growth(argv[2]));
+    return 0;
+  }
+  if (argc == 3 && std::strcmp(argv[1], "--memory") == 0) {
+    std::printf("The Cornell box, hemicube R = 128, one position, progressive refinement, %s MiB\n", argv[2]);
+    few_shots(std::atof(argv[2]));
+    return 0;
+  }
   std::printf("A Gauss-Seidel sweep, RGB, one thread\n");
   sweep_against_read("4096 patches, dense", 4096, 4096 / 2);
   sweep_against_read("16384 patches, dense", 16384, 16384 / 2);
   sweep_against_read("16384 patches, sparse 1/16", 16384, 1024);
   std::printf("LU, one thread, 4096 patches, three reflectances\n");
   lu_against_gauss_seidel(4096);
-  std::printf("The Cornell box, hemicube R = 128, 2 x 2 positions, one thread\n");
-  const Scene box = cornell_box();
-  std::vector<Grown> grown;
-  for (std::size_t n = 1024; n <= largest; n *= 4) grown.push_back(solve_box(box, n));
-  std::printf("  form factors ~ patches^%.2f, solve ~ patches^%.2f, memory ~ patches^%.2f\n",
-              exponent(grown, &Grown::form_factors_s), exponent(grown, &Grown::solve_s),
-              exponent(grown, &Grown::bytes));
+  std::printf("Rows of a closed cube, R = 64, one position\n");
+  for (const double size : {0.2, 0.05, 0.025}) reciprocal_against_rows(size);
 }
