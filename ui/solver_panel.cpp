@@ -19,7 +19,7 @@ void choose_view(App& app, SolverPanel& panel) {
   const Language l = app.language();
   const auto view = [&](const char* id, Words label, View v) {
     if (tab(app, id, label.in(l), panel.view == v)) panel.view = v;
-    ImGui::SameLine(0, app.look.px(3));
+    ImGui::SameLine(0, app.look.px(1));
   };
   view("error", {"Error", "誤差"}, View::error);
   view("matrix", {"Matrix", "行列"}, View::matrix);

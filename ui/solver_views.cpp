@@ -41,13 +41,15 @@ void draw_race_remarks(App& app, SolverPanel& panel) {
     if (button(app, "race", {.label = Words{"Run all five", "5 つとも実行"}.in(l)})) panel.race.allow();
   }
   const auto entries = panel.race.entries();
+  Text diverging;
   for (std::size_t k = 0; k < solver_count; ++k) {
     if (const auto& problem = (*entries)[k].problem) small_text(app, problem->in(l), p.dim);
-    if ((*entries)[k].end == SolverEnd::diverges) {
-      const Words& name = short_name(RadiositySolver(k));
-      small_text(app, Text(std::string(name.en) + " diverges", std::string(name.ja) + "は発散する").in(l), p.error);
-    }
+    if ((*entries)[k].end != SolverEnd::diverges) continue;
+    const Words& name = short_name(RadiositySolver(k));
+    diverging.en += (diverging.en.empty() ? "Diverge: " : ", ") + std::string(name.en);
+    diverging.ja += (diverging.ja.empty() ? "発散：" : "、") + std::string(name.ja);
   }
+  if (!diverging.en.empty()) small_text(app, diverging.in(l), p.error);
 }
 
 std::string number(double v, int digits = 3) { return short_number(v, digits); }

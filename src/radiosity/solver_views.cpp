@@ -60,7 +60,7 @@ double Solver::residual(Progress& progress) const {
 Text Solver::message() const {
   const Parts& p = *parts_;
   if (p.end == SolverEnd::diverges && p.bounce.closed > 1) {
-    const std::string kept = number_text(p.bounce.closed);
+    const std::string kept = number_text(std::ceil(p.bounce.closed * 1e6) / 1e6);
     return {
         "It diverges: a bounce returns up to " + kept + " of the light, ρ(1 + δ) ≥ 1. Normalise the rows or lower ρ.",
         "発散する：1 回の反射で光が最大 " + kept + " 倍になる（ρ(1 + δ) ≥ 1）。行の和を 1 にするか、ρ を下げる。"};

@@ -1,7 +1,7 @@
 #include "workbench/scene_radiosity.h"
 
 #include <algorithm>
-#include <cmath>
+#include <charconv>
 
 #include "params/numbers.h"
 
@@ -17,9 +17,9 @@ Material reflection_of(const Material& material) {
 
 // With two digits that count.
 std::string short_number(double v) {
-  if (!(std::abs(v) > 0) || !std::isfinite(v)) return number_text(v);
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(v))) - 1);
-  return number_text(std::round(v / unit) * unit);
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, v, std::chars_format::general, 2).ptr;
+  return number_text(parse_number(std::string_view(text, end)).value_or(v));
 }
 
 }  // namespace
