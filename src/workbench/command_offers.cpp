@@ -160,9 +160,7 @@ void CommandParser::add_unwrap() {
       run_unwrap);
   add_parameter(app, "--method", "method", "METHOD",
                 {"lscm, spectral, mean-value or free-boundary", "lscm、spectral、mean-value、free-boundary のどれか"});
-  add(app, "--set", arguments.set, "NAME=VALUE",
-      {"Set a parameter of the unwrap: margin=8", "展開のパラメータを変える：margin=8"})
-      ->allow_extra_args(false);
+  add_set(app, "NAME=VALUE", {"Set a parameter of the unwrap: margin=8", "展開のパラメータを変える：margin=8"});
   add(app, "-o,--output", arguments.output, "FILE",
       {"OUT.obj: the model with its uv; OUT.svg, OUT.png: the layout",
        "OUT.obj は uv 付きのモデル、OUT.svg と OUT.png は展開図"});
@@ -204,7 +202,19 @@ void CommandParser::add_technique(CLI::App& app) {
 }
 
 void CommandParser::add_set(CLI::App& app) {
-  add(app, "--set", arguments.set, "PATH=VALUE", {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"})
+  add_set(app, "PATH=VALUE", {"Set a parameter: material.k_d=0.5", "値を変える：material.k_d=0.5"});
+}
+
+void CommandParser::add_set(CLI::App& app, const char* type, Words help) {
+  // Appended, as the short cuts of add_parameter() are: an option bound to the list would replace what they gave.
+  app.add_option_function<std::vector<std::string>>(
+         "--set",
+         [this](const std::vector<std::string>& values) {
+           arguments.set.insert(arguments.set.end(), values.begin(), values.end());
+         },
+         say(help))
+      ->type_name(type)
+      ->group(options_group())
       ->allow_extra_args(false);
 }
 

@@ -55,6 +55,7 @@ class CommandParser {
   void add_threads(CLI::App& app);
   void add_technique(CLI::App& app);
   void add_set(CLI::App& app);
+  void add_set(CLI::App& app, const char* type, Words help);
 
   std::string say(Words words) const { return std::string(words.in(language_)); }
   std::string options_group() const { return say({"Options", "オプション"}); }

@@ -75,13 +75,18 @@ TEST_F(UnwrapCommandTest, MistakesAreToldInOneLine) {
   }
 }
 
+// --set and its short cuts are taken together, in either order.
 TEST_F(UnwrapCommandTest, MethodsDiffer) {
-  const auto figures = [&](const char* method) {
-    return parse_json(run({"torus", "--method", method, "--json"}).out, method);
-  };
-  const Tree conformal = figures("lscm"), round = figures("mean-value");
-  EXPECT_EQ(number(round, "flipped"), 0);
-  EXPECT_GT(number(round, "mean_quasi_conformal"), number(conformal, "mean_quasi_conformal"));
+  const Tree conformal = parse_json(run({"torus", "--set", "automatic_seams=false", "--json"}).out, "");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"torus", "--method", "mean-value", "--set", "automatic_seams=false", "--json"},
+        {"torus", "--set", "automatic_seams=false", "--set", "margin=2", "--method", "mean-value", "--json"}}) {
+    const Tree round = parse_json(run(arguments).out, "");
+    EXPECT_EQ(*round.find("method")->string(), "mean-value");
+    EXPECT_EQ(number(round, "charts"), 1);
+    EXPECT_EQ(number(round, "flipped"), 0);
+    EXPECT_GT(number(round, "mean_quasi_conformal"), number(conformal, "mean_quasi_conformal"));
+  }
 }
 
 }  // namespace
