@@ -46,7 +46,7 @@ void RadiosityDesk::solve(Scene scene, Progress& progress) {
   try {
     Scene loaded = scene;
     load_meshes(loaded);
-    solved = solve_scene(loaded, earlier, progress, drawing_threads());
+    solved = solve_scene(loaded, earlier, progress, drawing_threads(), gl_);
   } catch (const Cancelled&) {
     return;
   } catch (const InputError& e) {

@@ -12,8 +12,12 @@ namespace cg {
 
 class RadiosityDesk {
  public:
-  // `wake` is called on another thread when there is something new.
-  explicit RadiosityDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+  // `wake` is called on another thread when there is something new; `gl` draws the hemicubes that are OpenGL's.
+  explicit RadiosityDesk(std::function<void()> wake, MakeDrawItems gl = {})
+      : wake_(std::move(wake)), gl_(std::move(gl)) {}
+
+  // Null where nobody draws hemicubes by OpenGL.
+  const MakeDrawItems& draw_items() const { return gl_; }
 
   // Asks for the solution where the scene's ambient term wants one and what it depends on changed since it was asked
   // for last: not the camera, not the lights. Returns what is to be drawn: the newest solution, where the objects stand
@@ -38,6 +42,7 @@ class RadiosityDesk {
   void solve(Scene scene, Progress& progress);
 
   const std::function<void()> wake_;
+  const MakeDrawItems gl_;
   std::optional<Scene> asked_;  // radiosity_inputs() of the scene that was asked for last
   mutable std::mutex mutex_;    // guards what follows
   SceneRadiosity newest_;

@@ -258,6 +258,7 @@ int run_window(const std::vector<Technique>& techniques, const WindowOptions& op
     pace.woken = true;
     glfwPostEmptyEvent();
   };
+  app.radiosity = std::make_shared<RadiosityDesk>(app.wake, options.draw_items);
   SessionStore store(options.keep_session ? state_folder() : std::nullopt,
                      options.keep_session ? config_folder() : std::nullopt);
   WindowPlacement place;

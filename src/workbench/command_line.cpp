@@ -68,11 +68,12 @@ int complain(const std::string& message) {
 }  // namespace
 
 int run_command_line(int argc, char** argv, const std::vector<Technique>& techniques, const OpenWindow& open_window,
-                     const std::vector<CommandOffer>& others) {
+                     const std::vector<CommandOffer>& others, const MakeDrawItems& draw_items) {
   const Language language = language_of_environment();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of that file, not the program's end
   try {
     CommandParser parser(language, techniques, others);
+    parser.arguments.draw_items = parser.window.draw_items = draw_items;
     try {
       parser.parse(argc, argv);
     } catch (const CLI::Success& e) {

@@ -82,11 +82,11 @@ Scene scene_for(const Arguments& a, Language language) {
   return scene;
 }
 
-void solve_for_command(Scene& scene, const View& view, Language language) {
+void solve_for_command(Scene& scene, const View& view, const Arguments& a, Language language) {
   if (!wants_radiosity(scene)) return;
   Progress progress;
   const ProgressLine line(progress, std::string(Words{"Radiosity", "ラジオシティ"}.in(language)));
-  const SceneRadiosity solved = solve_scene(scene, {}, progress, view.threads);
+  const SceneRadiosity solved = solve_scene(scene, {}, progress, view.threads, a.draw_items);
   for (const Text& note : solved.solution->notes)
     std::fprintf(stderr, "shadebench: radiosity: %s\n", note.in(language).c_str());
   scene.radiosity_field = solved.field;

@@ -29,7 +29,7 @@ Scene scene_for(const Arguments& arguments, Language language);
 
 // Solves the scene's radiosity where its ambient term asks for it, its progress shown on a terminal; what the solution
 // has to say goes to stderr.
-void solve_for_command(Scene& scene, const View& view, Language language);
+void solve_for_command(Scene& scene, const View& view, const Arguments& arguments, Language language);
 
 // The technique of that id, or else the first of `usual` that can draw the scene.
 const Technique& technique_for(const std::string& id, std::initializer_list<std::string_view> usual,

@@ -40,7 +40,7 @@ int run_render(const Arguments& a, std::span<const Technique> techniques, Langua
     throw InputError("-o", {"no file is named", "保存先の指定がありません"},
                      {"name a picture: -o picture.png", "-o picture.png のように指定してください"});
   Scene scene = scene_for(a, language);
-  solve_for_command(scene, view, language);
+  solve_for_command(scene, view, a, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   Progress progress;
   const Frame frame = draw_for_command(technique, scene, view, progress, language);
@@ -52,7 +52,7 @@ namespace {
 
 Comparison compare_as_asked(const Arguments& a, std::span<const Technique> techniques, Scene scene, Language language) {
   const View view = view_of(a);
-  solve_for_command(scene, view, language);
+  solve_for_command(scene, view, a, language);
   const Technique& left = technique_for(a.left, {"gl-fixed", "gl"}, techniques, scene);
   const Technique& right = technique_for(a.right, {"software"}, techniques, scene);
   for (const Technique* technique : {&left, &right}) tell_notes(technique->plan(scene, view), language);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "params/words.h"
+#include "scene/item_drawer.h"
 #include "scene/technique.h"
 
 namespace cg {
@@ -27,6 +28,7 @@ struct Arguments {
   bool weights = false;       // of --form-factor
   std::string extreme;        // a case, or a group of them
   bool list = false;
+  MakeDrawItems draw_items;  // not typed: who draws radiosity's hemicubes by OpenGL; null: nobody
 };
 
 using RunCommand = int (*)(const Arguments&, std::span<const Technique>, Language);

@@ -116,7 +116,7 @@ int run_plan(const Arguments& a, std::span<const Technique> techniques, Language
                      {"give a whole number from 0, which draws nothing, to 1000",
                       "0（描画しない）から 1000 の整数を指定してください"});
   Scene scene = scene_for(a, language);
-  solve_for_command(scene, view, language);
+  solve_for_command(scene, view, a, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   MeasuredPlan m;
   if (*repeats == 0) {

@@ -30,7 +30,7 @@ int run_probe(const Arguments& a, std::span<const Technique> techniques, Languag
   View view = view_of(a);
   const glm::ivec2 pixel = pixel_of(a.pixel, view);
   Scene scene = scene_for(a, language);
-  solve_for_command(scene, view, language);
+  solve_for_command(scene, view, a, language);
   const Technique& technique = technique_for(a.technique, {"software"}, techniques, scene);
   view.ids = true;
   Progress progress;

@@ -177,6 +177,9 @@ int run_radiosity(const Arguments& a, std::span<const Technique>, Language langu
   const Scene scene = scene_for(a, language);
   SolveOptions how;
   how.threads = view_of(a).threads;
+  how.method = [&](const Patches& patches, const Radiosity& options) {
+    return form_factor_method(patches, options, a.draw_items);
+  };
   if (a.weights && a.form_factor.empty())
     throw InputError("--weights", {"no objects are named", "物体の指定がない"},
                      {"name two: --form-factor floor,ceiling", "--form-factor floor,ceiling のように二つ指定すること"});
@@ -195,7 +198,8 @@ int run_radiosity(const Arguments& a, std::span<const Technique>, Language langu
     solution = solve_radiosity(scene, scene.radiosity, nullptr, progress, how);
     if (objects) asked.form_factor = form_factor(*solution, objects->from, objects->to, progress);
     if (a.weights)
-      asked.weights = weight_figures(*solution->patches, scene.radiosity, objects->from, objects->to, {}, progress);
+      asked.weights =
+          weight_figures(*solution->patches, scene.radiosity, objects->from, objects->to, a.draw_items, progress);
     how.announce = {};
     if (!a.against.empty())
       asked.against = mean_differences(scene, *solution, *solve_radiosity(scene, other, nullptr, progress, how));

@@ -47,10 +47,14 @@ bool same_places(const Scene& a, const Scene& b) {
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), same);
 }
 
-SceneRadiosity solve_scene(const Scene& scene, const SceneRadiosity& earlier, Progress& progress, int threads) {
+SceneRadiosity solve_scene(const Scene& scene, const SceneRadiosity& earlier, Progress& progress, int threads,
+                           const MakeDrawItems& gl) {
   SceneRadiosity out;
   SolveOptions how;
   how.threads = threads;
+  how.method = [&](const Patches& patches, const Radiosity& options) {
+    return form_factor_method(patches, options, gl);
+  };
   out.solution = solve_radiosity(scene, scene.radiosity, earlier.solution, progress, how);
   out.field = out.solution == earlier.solution ? earlier.field : drawable(scene, *out.solution);
   return out;

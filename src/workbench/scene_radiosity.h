@@ -20,8 +20,10 @@ Scene radiosity_inputs(const Scene& scene);
 // Whether a solution of `a` may be drawn in `b`: their objects stand where they stood.
 bool same_places(const Scene& a, const Scene& b);
 
-// Solves; meshes are loaded. Throws Cancelled, and InputError as solve_radiosity().
-SceneRadiosity solve_scene(const Scene& scene, const SceneRadiosity& earlier, Progress& progress, int threads);
+// Solves; meshes are loaded. `gl` draws the hemicubes where the scene's item buffer is OpenGL's. Throws Cancelled, and
+// InputError as solve_radiosity(), or where OpenGL is asked for and not there.
+SceneRadiosity solve_scene(const Scene& scene, const SceneRadiosity& earlier, Progress& progress, int threads,
+                           const MakeDrawItems& gl = {});
 
 // What took how long and what was kept, a line each.
 std::vector<Text> report_of(const RadiositySolution& solution);
