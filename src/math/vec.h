@@ -11,6 +11,8 @@
 namespace cg {
 
 template <class Real>
+using Vec2 = glm::vec<2, Real>;
+template <class Real>
 using Vec3 = glm::vec<3, Real>;
 template <class Real>
 using Vec4 = glm::vec<4, Real>;

@@ -11,9 +11,6 @@
 
 namespace cg {
 
-template <class Real>
-using Vec2 = glm::vec<2, Real>;
-
 // In OpenGL's order.
 enum class CubeFace { right, left, top, bottom, near, far };  // +x -x +y -y +z -z
 inline constexpr int cube_faces = 6;

@@ -10,9 +10,6 @@
 
 namespace cg {
 
-template <class Real>
-using Vec2 = glm::vec<2, Real>;
-
 // A pixel in a texture: uv at its centre, and how far uv goes to the next pixel to the right and above.
 template <class Real>
 struct Footprint {

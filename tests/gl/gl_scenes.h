@@ -10,6 +10,7 @@
 #include "shading/eye_normal.h"
 #include "shading/light_model.h"
 #include "shading/surface_cache.h"
+#include "tests/square_mesh.h"
 
 namespace cg {
 
@@ -35,16 +36,6 @@ inline MeshHandle sphere_mesh(int slices = 24, int stacks = 12, double radius = 
         d.add_face(quad, quad + 4);
       }
     }
-  return Mesh::make(std::move(d));
-}
-
-// An open square in the plane z = 0, facing +z, so that its back can be seen.
-inline MeshHandle square_mesh() {
-  MeshData d;
-  d.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  const Corner quad[4] = {
-      {0, no_index, no_index}, {1, no_index, no_index}, {2, no_index, no_index}, {3, no_index, no_index}};
-  d.add_face(quad, quad + 4);
   return Mesh::make(std::move(d));
 }
 

@@ -8,6 +8,7 @@
 #include "image/image_file.h"
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
 namespace cg {
@@ -22,12 +23,7 @@ class ImageExtremes : public testing::Test {
     return read_image(folder / name);
   }
   std::string refusal(const std::string& name, const std::string& bytes) {
-    try {
-      read(name, bytes);
-    } catch (const InputError& e) {
-      return e.message(Language::english);
-    }
-    return "";
+    return refusal_of([&] { read(name, bytes); });
   }
   const TemporaryFolder folder;
 };

@@ -16,6 +16,7 @@
 
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
 namespace cg {
@@ -28,21 +29,10 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeri
 
 class ImageFileTest : public testing::Test {
  protected:
-  // The English message of what f throws; empty if nothing.
-  template <class F>
-  std::string error(F f) {
-    try {
-      f();
-    } catch (const InputError& e) {
-      EXPECT_FALSE(e.found.ja.empty());
-      return e.message(Language::english);
-    }
-    return "";
-  }
-  // The same over a file of these bytes.
+  // What is said of a file of these bytes.
   std::string reading(const std::string& name, const std::string& bytes) {
     save_file(folder / name, bytes);
-    return error([&] { read_image(folder / name); });
+    return refusal_of([&] { read_image(folder / name); });
   }
   const TemporaryFolder folder;
 };
@@ -213,13 +203,16 @@ TEST_F(ImageFileTest, HugeHeadersAreRefusedAtOnce) {
 
 TEST_F(ImageFileTest, WritingSaysWhatItCannotDo) {
   const ColourImage image(2, 2);
-  const auto writing = [&](const fs::path& f, const ColourImage& i) { return error([&] { write_image(f, i, {}); }); };
+  const auto writing = [&](const fs::path& f, const ColourImage& i) {
+    return refusal_of([&] { write_image(f, i, {}); });
+  };
   EXPECT_NE(writing(folder / "a.gif", image).find("use .png, .jpg, .exr or .hdr"), std::string::npos);
   EXPECT_NE(writing(folder / "none" / "a.png", image).find("no such file or folder"), std::string::npos);
   EXPECT_NE(writing("/dev/full", image), "");
   EXPECT_NE(writing(folder / "a.png", {}).find("a picture of this size"), std::string::npos);
   EXPECT_NE(writing(folder / "a.jpg", ColourImage(65501, 1)).find("at most 65500"), std::string::npos);
-  EXPECT_NE(error([&] { write_image(folder / "a.exr", Picture(2, 2)); }).find("use .png or .jpg"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { write_image(folder / "a.exr", Picture(2, 2)); }).find("use .png or .jpg"),
+            std::string::npos);
 }
 
 TEST_F(ImageFileTest, AFullDiskLeavesTheOldFile) {
@@ -232,7 +225,7 @@ TEST_F(ImageFileTest, AFullDiskLeavesTheOldFile) {
     const std::string before = read_file(folder / name);
     const rlimit small{16384, limit.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
-    const std::string message = error([&] { write_image(folder / name, image, {}); });
+    const std::string message = refusal_of([&] { write_image(folder / name, image, {}); });
     ::setrlimit(RLIMIT_FSIZE, &limit);
     EXPECT_NE(message.find("not saved"), std::string::npos) << name << message;
     EXPECT_EQ(read_file(folder / name), before) << name;
@@ -265,7 +258,7 @@ TEST_F(ImageFileTest, AStoppedProgramIsGivenUp) {
     } catch (const InputError&) {
     }
   ::kill(hasty.pid(), SIGSTOP);
-  EXPECT_NE(error([&] { read_image(folder / "a.png", hasty); }).find("took longer"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { read_image(folder / "a.png", hasty); }).find("took longer"), std::string::npos);
   EXPECT_EQ(hasty.pid(), -1);
 }
 
@@ -283,7 +276,7 @@ TEST_F(ImageFileTest, KilledAtAnyMomentGivesPixelsOrAMessage) {
   int read = 0, refused = 0;
   const auto end = std::chrono::steady_clock::now() + 3s;
   while (std::chrono::steady_clock::now() < end) {
-    const std::string message = error([&] {
+    const std::string message = refusal_of([&] {
       EXPECT_EQ(read_image(folder / "a.png", program).colour.size(), image.size());
       write_image(folder / "b.png", image, {}, Depth::standard, program);
     });
@@ -293,17 +286,17 @@ TEST_F(ImageFileTest, KilledAtAnyMomentGivesPixelsOrAMessage) {
   over = true;
   killer.join();
   EXPECT_GT(refused, 0);
-  error([&] { read_image(folder / "a.png", program); });  // the last kill may fall into this one
+  refusal_of([&] { read_image(folder / "a.png", program); });  // the last kill may fall into this one
   EXPECT_EQ(read_image(folder / "a.png", program).info.width, 300);
 }
 
 TEST_F(ImageFileTest, AMissingOrOtherProgramIsAMessage) {
   write_image(folder / "a.png", ColourImage(8, 8), {});
   ImageProgram missing(folder / "none");
-  EXPECT_NE(error([&] { read_image(folder / "a.png", missing); }).find("does not start"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { read_image(folder / "a.png", missing); }).find("does not start"), std::string::npos);
   ImageProgram other("/bin/true"), echo("/bin/cat");
-  EXPECT_NE(error([&] { read_image(folder / "a.png", other); }).find("ended over it"), std::string::npos);
-  EXPECT_NE(error([&] { read_image(folder / "a.png", echo); }), "");
+  EXPECT_NE(refusal_of([&] { read_image(folder / "a.png", other); }).find("ended over it"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { read_image(folder / "a.png", echo); }), "");
 }
 
 TEST_F(ImageFileTest, ManyThreads) {

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "params/input_error.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
 namespace cg {
@@ -21,17 +22,6 @@ class FileTest : public testing::Test {
   std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder.path()), {})); }
   const TemporaryFolder folder;
 };
-
-template <class F>
-std::string english_error(F f) {
-  try {
-    f();
-  } catch (const InputError& e) {
-    EXPECT_FALSE(e.found.ja.empty());
-    return e.message(Language::english);
-  }
-  return "";
-}
 
 TEST_F(FileTest, SavesAndReadsTheSameBytes) {
   std::string bytes(100000, '\0');
@@ -62,8 +52,8 @@ TEST_F(FileTest, ANameOfTheGreatestLength) {
 }
 
 TEST_F(FileTest, SaysWhatIsWrong) {
-  const auto reading = [&](const fs::path& f) { return english_error([&] { read_file(f, 10); }); };
-  const auto saving = [&](const fs::path& f) { return english_error([&] { save_file(f, "x"); }); };
+  const auto reading = [&](const fs::path& f) { return refusal_of([&] { read_file(f, 10); }); };
+  const auto saving = [&](const fs::path& f) { return refusal_of([&] { save_file(f, "x"); }); };
   EXPECT_NE(reading(folder / "none").find("none: cannot be read: no such file"), std::string::npos);
   EXPECT_NE(reading(folder.path()).find("it is a folder"), std::string::npos);
   EXPECT_NE(reading("/dev/zero").find("a device"), std::string::npos);
@@ -86,7 +76,7 @@ TEST_F(FileTest, AFullDiskLeavesTheOldFile) {
     ::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{4096, 4096};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    const std::string error = english_error([&] { save_file(file, std::string(100000, 'x')); });
+    const std::string error = refusal_of([&] { save_file(file, std::string(100000, 'x')); });
     ::_exit(error.find("not saved") != std::string::npos ? 0 : 1);
   }
   int status = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "params/input_error.h"
+#include "tests/refusal.h"
 
 namespace cg {
 
@@ -145,14 +146,7 @@ TEST_F(SlotsTest, ReadsText) {
 }
 
 TEST_F(SlotsTest, UnknownNamesListTheNearestFirst) {
-  const auto message = [&](std::string_view path) {
-    try {
-      find_slot(all, path);
-    } catch (const InputError& e) {
-      return e.message(Language::english);
-    }
-    return std::string();
-  };
+  const auto message = [&](std::string_view path) { return refusal_of([&] { find_slot(all, path); }); };
   EXPECT_EQ(message("inner.cuont"), "inner.cuont: there is no such parameter; known are: inner.count, inner.x");
   EXPECT_EQ(message("list.2.x"), "list.2.x: there is no such parameter; known are: list.0, list.1");
   EXPECT_NE(message("color").find("known are: colour"), std::string::npos);

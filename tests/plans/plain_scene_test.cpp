@@ -140,33 +140,24 @@ class PlainGlsl : public testing::Test {
   std::string skipped_;
 };
 
-Ids uniforms_of(GLuint program) {
+// `which`: GL_ACTIVE_UNIFORMS or GL_ACTIVE_ATTRIBUTES, and the function that names one of them.
+template <class Name>
+Ids active_names(GLuint program, GLenum which, const Name& name_of) {
   Ids names;
   GLint count = 0;
-  glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  glGetProgramiv(program, which, &count);
   for (GLint i = 0; i < count; ++i) {
     char name[256];
     GLint size = 0;
     GLenum type = 0;
-    glGetActiveUniform(program, GLuint(i), sizeof name, nullptr, &size, &type, name);
+    name_of(program, GLuint(i), sizeof name, nullptr, &size, &type, name);
     names.insert(name);
   }
   return names;
 }
 
-Ids attributes_of(GLuint program) {
-  Ids names;
-  GLint count = 0;
-  glGetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
-  for (GLint i = 0; i < count; ++i) {
-    char name[256];
-    GLint size = 0;
-    GLenum type = 0;
-    glGetActiveAttrib(program, GLuint(i), sizeof name, nullptr, &size, &type, name);
-    names.insert(name);
-  }
-  return names;
-}
+Ids uniforms_of(GLuint program) { return active_names(program, GL_ACTIVE_UNIFORMS, glGetActiveUniform); }
+Ids attributes_of(GLuint program) { return active_names(program, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib); }
 
 // What all buffers hold, by OpenGL's own account.
 std::size_t bytes_of_buffers() {

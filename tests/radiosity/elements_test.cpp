@@ -19,11 +19,6 @@ namespace {
 
 using namespace testing;
 
-Patches patches_of(const Scene& scene, double size) {
-  Progress progress;
-  return make_patches(scene, {.patch_size = size}, progress);
-}
-
 glm::dvec3 middle_of(const Patches& p, const Element& e) {
   glm::dvec3 sum(0);
   for (int i = 0; i < e.corners; ++i) sum += p.vertices[e.vertex[std::size_t(i)]].position / double(e.corners);

@@ -15,11 +15,6 @@ namespace {
 
 using namespace testing;
 
-Patches patches_of(const Scene& scene, double size) {
-  Progress progress;
-  return make_patches(scene, {.patch_size = size}, progress);
-}
-
 double total_area(const Patches& p) {
   double sum = 0;
   for (const Patch& patch : p.patches) sum += patch.area;

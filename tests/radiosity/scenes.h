@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/patches.h"
 #include "scene/scene.h"
 #include "scene/shape.h"
 
@@ -48,6 +49,11 @@ inline std::vector<std::vector<glm::dvec3>> room(const glm::dvec3& s) {
   return {rectangle({0, 0, 0}, {0, 0, s.z}, {s.x, 0, 0}), rectangle({0, s.y, 0}, {s.x, 0, 0}, {0, 0, s.z}),
           rectangle({0, 0, 0}, {s.x, 0, 0}, {0, s.y, 0}), rectangle({0, 0, s.z}, {0, s.y, 0}, {s.x, 0, 0}),
           rectangle({0, 0, 0}, {0, s.y, 0}, {0, 0, s.z}), rectangle({s.x, 0, 0}, {0, 0, s.z}, {0, s.y, 0})};
+}
+
+inline Patches patches_of(const Scene& scene, double size) {
+  Progress progress;
+  return make_patches(scene, {.patch_size = size}, progress);
 }
 
 }  // namespace cg::testing

@@ -8,6 +8,7 @@
 #include "params/input_error.h"
 #include "scene/model_file.h"
 #include "shading/surface.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 #include "workbench/model_library.h"
 #include "workbench/open.h"
@@ -91,12 +92,7 @@ class ExportFileTest : public testing::Test {
  protected:
   // The message of the refusal.
   std::string refusal(ExportFormat format, const std::string& name) {
-    try {
-      save_export(scene, format, folder / name);
-    } catch (const InputError& e) {
-      return e.message(Language::english);
-    }
-    return "";
+    return refusal_of([&] { save_export(scene, format, folder / name); });
   }
   const Scene scene = open_scene("cube");
   const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 
 #include "params/file.h"
 #include "params/input_error.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 #include "tests/workbench/random_scene.h"
 #include "workbench/open.h"
@@ -16,15 +17,9 @@ namespace cg {
 namespace {
 
 std::string error_of(const std::string& json) {
-  try {
-    scene_of(parse_json(json, "a.json"), "a.json");
-  } catch (const InputError& e) {
-    EXPECT_FALSE(e.message(Language::japanese).empty());
-    EXPECT_EQ(e.message(Language::japanese).find('\n'), std::string::npos);
-    return e.message(Language::english);
-  }
-  ADD_FAILURE() << "accepted: " << json;
-  return "";
+  std::string message = refusal_of([&] { scene_of(parse_json(json, "a.json"), "a.json"); });
+  EXPECT_FALSE(message.empty()) << "accepted: " << json;
+  return message;
 }
 
 Scene read(const std::string& json) { return scene_of(parse_json(json, "a.json"), "a.json"); }

@@ -5,25 +5,17 @@
 
 #include "params/input_error.h"
 #include "raster/software.h"
+#include "tests/square_mesh.h"
 #include "workbench/isolate.h"
 
 namespace cg {
 namespace {
 
-MeshHandle square() {
-  MeshData d;
-  d.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  const Corner quad[4] = {
-      {0, no_index, no_index}, {1, no_index, no_index}, {2, no_index, no_index}, {3, no_index, no_index}};
-  d.add_face(quad, quad + 4);
-  return Mesh::make(std::move(d));
-}
-
 // Seen from z = 4 with parallel rays: pixel (x, y) of 64 shows ((x + 0.5)/16 - 2, 2 - (y + 0.5)/16, 0).
 Scene square_scene(ShadingMode mode) {
   Scene scene;
   scene.objects.emplace_back();
-  scene.objects[0].mesh = square();
+  scene.objects[0].mesh = square_mesh();
   scene.camera.position = {0, 0, 4};
   scene.camera.projection = Projection::orthographic, scene.camera.height = 4;
   scene.material.k_a = {0.3, 0.3, 0.3}, scene.material.k_d = {0.5, 0.6, 0.7}, scene.material.k_s = {0.2, 0.2, 0.2};
