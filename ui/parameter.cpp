@@ -39,9 +39,12 @@ void label_above(App& app, const Slot& slot) {
 
 void number(App& app, const Slot& slot, double value) {
   if (slot.about->symbol.empty()) label_above(app, slot);
-  const RowChange c = number_row(
-      app,
-      {.id = "n", .symbol = slot.about->symbol, .about = slot.about, .value = value, .differs = !is_initial(slot)});
+  const RowChange c = number_row(app, {.id = "n",
+                                       .symbol = slot.about->symbol,
+                                       .about = slot.about,
+                                       .value = value,
+                                       .whole = std::holds_alternative<int*>(slot.value),
+                                       .differs = !is_initial(slot)});
   if (c.moved) store(app, slot, *c.moved);
   if (c.typed) store_typed(app, slot, *c.typed);
   if (c.reset) reset(slot);

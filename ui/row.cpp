@@ -16,6 +16,21 @@ namespace {
 
 std::string exact_text(double v) { return number_text(v, 0, 40); }
 
+double moved_by(const Row& row, double steps) {
+  const bool fine = ImGui::GetIO().KeyShift;
+  const double next = stepped(*row.about, row.value, steps, fine);
+  if (!row.whole || steps == 0) return next;
+  // At least to the next whole number.
+  const double least = row.value + (steps > 0 ? 1 : -1), far = std::round(next);
+  const Range& range = row.about->range;
+  return std::clamp(steps > 0 ? std::max(far, least) : std::min(far, least), range.min, range.max);
+}
+
+double slid_to(const Row& row, double position, bool fine) {
+  const double value = slider_value(*row.about, position, fine);
+  return row.whole ? std::round(value) : value;
+}
+
 // The value itself: a click types it, a drag and the wheel move it.
 void show_value(App& app, const Row& row, ImVec2 at, ImVec2 size, RowChange& change) {
   Look& look = app.look;
@@ -27,13 +42,13 @@ void show_value(App& app, const Row& row, ImVec2 at, ImVec2 size, RowChange& cha
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + look.px(3)}, {at.x + size.x, at.y + size.y - look.px(3)},
                                               look.palette.raised, look.px(4));
   ImFont* font = look.fonts.mono;
-  const std::string text = number_text(row.value, decimals(*row.about), 8);
+  const std::string text = number_text(row.value, row.whole ? 0 : decimals(*row.about), 8);
   const float baseline = at.y + 0.5f * (size.y - font->FontSize) + font->Ascent;
   set_text(ImGui::GetWindowDrawList(), font, {at.x + size.x - look.px(4) - text_width(font, text), baseline},
            row.about->accepts(row.value) ? look.palette.text : look.palette.error, text);
   const float dragged = ImGui::GetIO().MouseDelta.x;
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0) && dragged != 0)
-    change.moved = stepped(*row.about, row.value, double(dragged) / double(look.scale) * 0.5, ImGui::GetIO().KeyShift);
+    change.moved = moved_by(row, double(dragged) / double(look.scale) * 0.5);
   const bool clicked = ImGui::IsItemDeactivated() && !ImGui::IsMouseDragPastThreshold(0) && hovered;
   const bool enter = hovered && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
   if (clicked || enter)
@@ -77,11 +92,11 @@ RowChange number_row(App& app, const Row& row) {
   double position = slider_position(*row.about, row.value);
   const float slider_w = room - symbol_w - swatch_w - value_w - play_w - reset_w - look.px(6);
   if (slider(app, "slider", position, colour, lit, {slider_w, h}))
-    change.moved = slider_value(*row.about, position, ImGui::GetIO().KeyShift);
+    change.moved = slid_to(row, position, ImGui::GetIO().KeyShift);
   note_place(app, "slider", row.about->name);
   if (wants_tooltip(app)) describe(app, *row.about, row.exact.empty() ? exact_text(row.value) : row.exact);
   double steps = 0;
-  if (wheel(app, steps)) change.moved = stepped(*row.about, row.value, steps, ImGui::GetIO().KeyShift);
+  if (wheel(app, steps)) change.moved = moved_by(row, steps);
 
   const float value_x = at.x + room - reset_w - play_w - value_w;
   if (row.swatch)
@@ -92,10 +107,10 @@ RowChange number_row(App& app, const Row& row) {
   else
     show_value(app, row, {value_x + (row.swatch ? look.px(8) : 0), at.y}, {value_w - (row.swatch ? look.px(8) : 0), h},
                change);
-  if (wheel(app, steps)) change.moved = stepped(*row.about, row.value, steps, ImGui::GetIO().KeyShift);
+  if (wheel(app, steps)) change.moved = moved_by(row, steps);
   if (change.moved || change.typed) choose_for_sweep(app);
   if (const auto swept = sweep_row(app, position, wholly_hovered, {at.x + room - reset_w - play_w, at.y}, {play_w, h}))
-    change.moved = slider_value(*row.about, *swept, true);
+    change.moved = slid_to(row, *swept, true);
   ImGui::SetCursorScreenPos({at.x + room - reset_w, at.y});
   change.reset = reset_arrow(app, "reset", row.differs, {reset_w, h});
   ImGui::SetCursorScreenPos({at.x, at.y + h});

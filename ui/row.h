@@ -16,6 +16,7 @@ struct Row {
   std::string_view symbol;  // markup of formula.h; empty: the slider begins at the left edge
   const About* about;
   double value;
+  bool whole = false;                 // moves by whole numbers
   bool differs = false;               // from the default: shows the arrow
   std::optional<ImVec4> swatch = {};  // of a colour
   std::string exact = {};             // what is typed over when the value is edited; empty: the number

@@ -1,6 +1,7 @@
 // Every parameter as a row, with values that no slider would give: ImGui aborts on some of them if it ever sees them.
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "tests/ui/imgui_fixture.h"
 #include "ui/number.h"
@@ -84,6 +85,37 @@ TEST_F(ImGuiTest, DraggingASliderMovesItsValueAndResetBringsItBack) {
   io.MouseDown[0] = false;
   frame(draw);
   EXPECT_EQ(scene.material.n, 32);
+}
+
+// A slider of 1..16 stops at whole numbers, and nothing is refused on the way; a turn of the wheel is at least one.
+TEST_F(ImGuiTest, WholeNumbersMoveByWholeNumbers) {
+  Scene scene;
+  const Slots all = slots(scene);
+  for (const char* path :
+       {"radiosity.samples", "radiosity.resolution", "radiosity.adaptive_levels", "radiosity.rays"}) {
+    const Slot& slot = find_slot(all, path);
+    const int& value = **std::get_if<int*>(&slot.value);
+    const auto draw = [&] { parameter(app, slot); };
+    ImGuiIO& io = ImGui::GetIO();
+    const float y = slot.about->symbol.empty() ? 50.0f : 25.0f;
+    io.MousePos = {100, y};
+    frame(draw), frame(draw);
+    io.MouseDown[0] = true;
+    std::set<int> seen;
+    for (float x = 100; x < 1000; x += 7) io.MousePos = {x, y}, frame(draw), seen.insert(value);
+    io.MouseDown[0] = false;
+    frame(draw);
+    EXPECT_GT(seen.size(), 5u) << path;
+    io.MousePos = {500, y};
+    frame(draw);
+    const int before = value;
+    io.MouseWheel = -1;
+    app.now += 1;
+    frame(draw);
+    io.MouseWheel = 0;
+    EXPECT_LT(value, before) << path;
+  }
+  EXPECT_TRUE(app.toasts.empty());
 }
 
 TEST_F(ImGuiTest, WhatIsTypedIsCheckedByTheDescription) {
