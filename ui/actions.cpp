@@ -50,6 +50,7 @@ constexpr std::array list{
     Action{Do::trade, {"Speed against accuracy", "速さと精度"}, "R", GLFW_KEY_R},
     Action{Do::extremes, {"Extreme values", "極端な値"}, "E", GLFW_KEY_E},
     Action{Do::solver, {"Radiosity solver", "ラジオシティの解法"}, "G", GLFW_KEY_G},
+    Action{Do::hemicube, {"Hemicube", "ヘミキューブ"}, "U", GLFW_KEY_U},
     Action{Do::next_step, {"Next step", "次のステップ"}, "Page Down", GLFW_KEY_PAGE_DOWN},
     Action{Do::previous_step, {"Previous step", "前のステップ"}, "Page Up", GLFW_KEY_PAGE_UP},
     Action{Do::play, {"Play a slider", "スライダを動かす"}, "Space", GLFW_KEY_SPACE},
@@ -167,7 +168,9 @@ void perform(App& app, Do what) {
     case Do::trade:
     case Do::extremes:
     case Do::solver:
-      static_assert(int(Do::solver) - int(Do::lesson) == int(Side::solver) - int(Side::lesson), "in the same order");
+    case Do::hemicube:
+      static_assert(int(Do::hemicube) - int(Do::lesson) == int(Side::hemicube) - int(Side::lesson),
+                    "in the same order");
       show_side(app, Side(int(Side::lesson) + int(what) - int(Do::lesson)));
       break;
     case Do::flip_presets:

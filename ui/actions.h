@@ -39,6 +39,7 @@ enum class Do {
   trade,
   extremes,
   solver,
+  hemicube,
   code,
   flip_presets,
   turntable,

@@ -73,6 +73,7 @@ struct Dialogue {
 
 class ChallengeGame;
 class ExtremesDesk;
+class HemicubeDesk;
 struct LectureDesk;
 class LessonPlayer;
 class MistakeJobs;
@@ -134,6 +135,7 @@ struct App {
   std::shared_ptr<TradeDesk> trades;          // through trades_of()
   std::shared_ptr<ExtremesDesk> extremes;     // through extremes_of()
   std::shared_ptr<SolverPanel> solver;        // through solver_of(); let go with the panes
+  std::shared_ptr<HemicubeDesk> hemicube;     // through hemicube_of()
 
   double content_scale = 1;  // of the monitor
   Editing editing;

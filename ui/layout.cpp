@@ -86,7 +86,7 @@ bool side_goes_down(const App& app, float width) {
   const Settings& s = app.settings;
   if (!s.code) return width >= app.look.px(least_equation);
   const bool reads = s.side == Side::lesson || s.side == Side::challenge || s.side == Side::trade ||
-                     s.side == Side::extremes || s.side == Side::solver;
+                     s.side == Side::extremes || s.side == Side::solver || s.side == Side::hemicube;
   return width >= app.look.px(least_equation) + app.look.px(reads ? least_code : float(s.code_width));
 }
 

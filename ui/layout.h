@@ -36,6 +36,7 @@ bool draw_large_trade(App& app, ImVec2 size);  // its plot in place of the panes
 void draw_extremes_panel(App& app);
 void draw_solver_panel(App& app);
 bool draw_large_solver(App& app, ImVec2 size);  // its plot or matrix in place of the panes, where that was chosen
+void draw_hemicube_panel(App& app);
 // On top of all: what was to be said, the list of shortcuts, the dialogues.
 void draw_toasts(App& app, ImVec2 size);
 void draw_help(App& app);

@@ -4,6 +4,7 @@
 
 #include "raster/software.h"
 #include "ui/app.h"
+#include "ui/hemicube_desk.h"
 #include "ui/keeping.h"
 #include "ui/trade_desk.h"
 #include "workbench/data_folder.h"
@@ -238,6 +239,7 @@ void LessonPlayer::apply(App& app, const Scene& scene, const LessonView& view) {
   s.vertex_normals = view.vertex_normals, s.face_normals = view.face_normals;
   if (!view.knob.empty()) s.knob = view.knob;
   if (!view.extreme.empty()) s.extreme = view.extreme;
+  if (view.patch >= 0) show_hemicube(app, view);
   choose_techniques(app);
   app.isolated = {quantity_of(view.term), view.light};
   app.peek.reset();

@@ -61,9 +61,11 @@ LineStyle style_of(float scale, Mark mark) {
     case Mark::probed_face:
       return {vector_of(IM_COL32(255, 255, 255, 200)), 0.2f, 1.4f * w};
     case Mark::patch:
-      return {vector_of(IM_COL32(240, 228, 66, 255)), 0.35f, 2.2f * w};
+      return {vector_of(patch_colour), 0.35f, 2.2f * w};
+    case Mark::other_fill:
+      return {vector_of(faded(other_patch_colour, 0.5f)), 0.2f, 1.2f * w};
     case Mark::other_patch:
-      return {vector_of(IM_COL32(86, 180, 233, 255)), 0.35f, 2.2f * w};
+      return {vector_of(other_patch_colour), 0.35f, 2.2f * w};
     case Mark::camera:
       return {vector_of(IM_COL32(235, 238, 245, 235)), 0.4f, 1.5f * w};
     case Mark::clip_volume:

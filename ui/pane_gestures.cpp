@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include "ui/app.h"
+#include "ui/hemicube_marks.h"
 #include "workbench/camera_control.h"
 
 namespace cg {
@@ -82,9 +83,10 @@ void go_on(App& app, Gesture& g, Region& region, const Place& place, const Scene
   }
 }
 
-// A click, no drag: this pixel is asked about.
+// A click, no drag: this pixel is asked about, or the patch in it where hemicubes are looked at.
 void ask_about(App& app, const Gesture& g, const Place& place) {
   const glm::dvec2 pixel = place.to_picture(g.start);
+  if (choose_patch(app, place, pixel)) return;
   app.probing.at = glm::dvec2(pixel.x / place.width, pixel.y / place.height);
   app.probing.side = g.side;
   app.probing.vertex = -1;
@@ -136,6 +138,7 @@ void take_mouse(App& app, Gesture& gesture, Pointing& pointing, Region& region, 
       pointing.handle = handle_at(light_handles(app.scene, size_of(place)), pointing.pixel, reach);
     pointing.on_wipe =
         wipe && !pointing.handle && std::abs(mouse.x - wipe_edge(app, place).x) < app.look.px(grab) * 0.7f;
+    if (!pointing.handle && !pointing.on_wipe) point_at_patch(app, place, pointing.pixel);
     turn_wheel(app, region, place, shapes);
   }
   if (ImGui::IsItemActivated()) begin(app, gesture, pointing, region, side);

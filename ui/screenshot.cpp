@@ -9,6 +9,7 @@
 
 #include "image/image_file.h"
 #include "ui/app.h"
+#include "ui/hemicube_desk.h"
 #include "ui/lesson_player.h"
 #include "ui/radiosity_desk.h"
 #include "ui/solver_panel.h"
@@ -20,8 +21,8 @@ bool Screenshot::wanted(App& app, bool fonts_busy) {
   app.animating = true;
   const bool lesson = app.lessons && (app.lessons->loading() || app.lessons->busy());
   const bool solving = app.radiosity && app.radiosity->state().busy;
-  const bool ready = app.figures.valid && !lesson && !solving && !solver_at_work(app) && !app.errands->busy() &&
-                     !fonts_busy && !app.look.glyphs.changed;
+  const bool ready = app.figures.valid && !lesson && !solving && !solver_at_work(app) && !looks_at_hemicube(app) &&
+                     !app.errands->busy() && !fonts_busy && !app.look.glyphs.changed;
   calm_ = ready ? calm_ + 1 : 0;
   return calm_ > 5 || app.now > 20;
 }

@@ -5,6 +5,7 @@
 
 #include "params/slots.h"
 #include "radiosity/light_part.h"
+#include "workbench/hemicube_show.h"
 #include "workbench/view_mode.h"
 
 namespace cg {
@@ -14,9 +15,9 @@ template <>
 inline constexpr std::array<Name, 2> names_of<Theme>{{{"dark", {"Dark", "暗い"}}, {"light", {"Light", "明るい"}}}};
 
 // What the right side shows.
-enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh, trade, extremes, solver };
+enum class Side { none, lesson, world, mistakes, presets, challenge, plan, mesh, trade, extremes, solver, hemicube };
 template <>
-inline constexpr std::array<Name, 11> names_of<Side>{{{"none", {"Closed", "閉じる"}},
+inline constexpr std::array<Name, 12> names_of<Side>{{{"none", {"Closed", "閉じる"}},
                                                       {"lesson", {"Lesson", "授業"}},
                                                       {"world", {"World", "外から"}},
                                                       {"mistakes", {"Mistakes", "間違い"}},
@@ -26,7 +27,8 @@ inline constexpr std::array<Name, 11> names_of<Side>{{{"none", {"Closed", "閉�
                                                       {"mesh", {"Mesh", "メッシュ"}},
                                                       {"trade", {"Trade", "速さと精度"}},
                                                       {"extremes", {"Extremes", "極端な値"}},
-                                                      {"solver", {"Solver", "解法"}}}};
+                                                      {"solver", {"Solver", "解法"}},
+                                                      {"hemicube", {"Hemicube", "ヘミキューブ"}}}};
 
 template <>
 inline constexpr std::array<Name, 2> names_of<Language>{{{"en", {"English", "English"}}, {"ja", {"日本語", "日本語"}}}};
@@ -64,8 +66,11 @@ struct Settings {
   bool code = true;                          // the listing, beside the equation;
   bool code_in_front = false;                // or, where there is no room for both, before it
   std::string knob, extreme;                 // ids of what the panels of trades and extremes have open; empty: none
-  std::string lesson;                        // where the open lesson is: "03-shading:2"; empty: none
-  Recorded picture = Recorded::right;        // what is saved or recorded
+  HemicubeShow hemicube = HemicubeShow::items;
+  int patch = -1, other_patch = -1;    // whose hemicube is shown, and which it sees; -1: none was chosen
+  int position = 0;                    // of the patch's hemicubes
+  std::string lesson;                  // where the open lesson is: "03-shading:2"; empty: none
+  Recorded picture = Recorded::right;  // what is saved or recorded
   RecordedAs record_as = RecordedAs::gif;
   double sweep_seconds = 4;  // that a slider which plays takes from end to end
   double left_width = 312, right_width = 320, strip_height = 200, code_width = 640;  // of the layout, units
@@ -132,6 +137,11 @@ inline constexpr auto fields_of<Settings> = std::tuple{
     field(&Settings::lesson, {.name = "lesson", .label = {"Lesson", "授業"}}),
     field(&Settings::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
     field(&Settings::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),
+    field(&Settings::hemicube, {.name = "hemicube", .label = {"Hemicube", "ヘミキューブ"}}),
+    field(&Settings::patch, {.name = "patch", .range = {-1, 1 << 22}, .label = {"Patch", "パッチ"}}),
+    field(&Settings::other_patch,
+          {.name = "other_patch", .range = {-1, 1 << 22}, .label = {"Seen patch", "見えるパッチ"}}),
+    field(&Settings::position, {.name = "position", .range = {0, 255}, .label = {"Position", "位置"}}),
     field(&Settings::picture, {.name = "picture", .label = {"Saved or recorded", "保存・録画するもの"}}),
     field(&Settings::record_as, {.name = "record_as", .label = {"Recorded as", "録画の形式"}}),
     field(&Settings::sweep_seconds, {.name = "sweep_seconds",

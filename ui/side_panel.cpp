@@ -17,7 +17,8 @@ constexpr std::array panels{Panel{Side::lesson, draw_lesson_panel},       Panel{
                             Panel{Side::mistakes, draw_mistakes_panel},   Panel{Side::presets, draw_presets_panel},
                             Panel{Side::challenge, draw_challenge_panel}, Panel{Side::plan, draw_plan_panel},
                             Panel{Side::mesh, draw_mesh_panel},           Panel{Side::trade, draw_trade_panel},
-                            Panel{Side::extremes, draw_extremes_panel},   Panel{Side::solver, draw_solver_panel}};
+                            Panel{Side::extremes, draw_extremes_panel},   Panel{Side::solver, draw_solver_panel},
+                            Panel{Side::hemicube, draw_hemicube_panel}};
 
 // As many tabs in a line as fit.
 void draw_tabs(App& app) {

@@ -6,6 +6,7 @@
 #include "ui/app.h"
 #include "ui/challenge_game.h"
 #include "ui/extremes_desk.h"
+#include "ui/hemicube_desk.h"
 #include "ui/lesson_player.h"
 #include "ui/recording.h"
 #include "ui/solver_panel.h"
@@ -85,6 +86,19 @@ Tree extremes_state(const App& app) {
   return out;
 }
 
+Tree hemicube_state(const App& app) {
+  Tree out;
+  out.at("busy") = looks_at_hemicube(app);
+  if (!app.hemicube) return out;
+  const HemicubeDesk::State& s = app.hemicube->state();
+  if (s.ground) out.at("patches") = int(s.ground->patches.patches.size());
+  if (s.sight) out.at("shown") = int(s.sight->patch), out.at("resolution") = s.sight->view.resolution;
+  if (s.row) out.at("sum") = s.row->row.sum, out.at("samples") = s.row->options.samples;
+  if (s.pair) out.at("other") = int(s.pair->other());
+  if (s.pair && s.pair->whole) out.at("factor") = s.pair->whole->there, out.at("exact") = s.pair->whole->known.value;
+  return out;
+}
+
 }  // namespace
 
 void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
@@ -105,6 +119,7 @@ void StateDump::write(App& app, bool busy) {
   out.at("trade") = trade_state(app);
   out.at("extremes") = extremes_state(app);
   out.at("solver") = solver_state(app);
+  out.at("hemicube") = hemicube_state(app);
   out.at("presenting") = app.presenter.on;
   out.at("black") = app.presenter.black;
   out.at("sweeping") = app.sweep.item != 0;
@@ -112,9 +127,9 @@ void StateDump::write(App& app, bool busy) {
   out.at("can_undo") = app.history.can_undo();
   out.at("can_redo") = app.history.can_redo();
   out.at("full_screen") = app.presenter.full;
-  out.at("calm") = app.figures.valid && !solver_at_work(app) && !busy && !app.gesture && !ImGui::IsAnyMouseDown() &&
-                   !app.errands->busy() && !app.look.glyphs.changed && !lessons_of(app).busy() &&
-                   !lessons_of(app).loading();
+  out.at("calm") = app.figures.valid && !solver_at_work(app) && !looks_at_hemicube(app) && !busy && !app.gesture &&
+                   !ImGui::IsAnyMouseDown() && !app.errands->busy() && !app.look.glyphs.changed &&
+                   !lessons_of(app).busy() && !lessons_of(app).loading();
   out.at("dialogue") = int(app.dialogue.kind);
   out.at("help") = app.help;
   Tree::List said;

@@ -242,7 +242,7 @@ struct ContextUsers {
   ~ContextUsers() {
     app.panes.reset(), app.world.reset(), app.solver.reset(), app.radiosity.reset();
     app.challenge.reset();
-    app.trades.reset();
+    app.trades.reset(), app.hemicube.reset();
   }
 };
 

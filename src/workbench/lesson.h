@@ -23,6 +23,7 @@
 
 #include "params/field.h"
 #include "scene/scene.h"
+#include "workbench/hemicube_show.h"
 #include "workbench/lesson_text.h"
 #include "workbench/measurement.h"
 #include "workbench/view_mode.h"
@@ -38,6 +39,10 @@ struct LessonView {
   bool handles = true, vertex_normals = false, face_normals = false, wireframe = false, axes = false, clamped = false;
   std::string knob, extreme;  // what the panels of trades and extremes have open; empty: as they are
   std::string panel;          // the panel that a button above the text opens: "solver"; empty: none
+  // What the panel of the hemicube shows: of which patch, seeing which other, from which of its positions. -1: one that
+  // is in the middle of the picture, or seen best; the panel is as it was where no step has named a patch.
+  int patch = -1, other_patch = -1, position = 0;
+  HemicubeShow hemicube = HemicubeShow::items;
   friend bool operator==(const LessonView&, const LessonView&) = default;
 };
 
@@ -57,6 +62,11 @@ inline constexpr auto fields_of<LessonView> = std::tuple{
     field(&LessonView::knob, {.name = "knob", .label = {"Trade", "速さと精度"}}),
     field(&LessonView::extreme, {.name = "extreme", .label = {"Extreme", "極端な値"}}),
     field(&LessonView::panel, {.name = "panel", .label = {"Panel", "パネル"}}),
+    field(&LessonView::patch, {.name = "patch", .range = {-1, 1 << 22}, .label = {"Patch", "パッチ"}}),
+    field(&LessonView::other_patch,
+          {.name = "other_patch", .range = {-1, 1 << 22}, .label = {"Seen patch", "見えるパッチ"}}),
+    field(&LessonView::position, {.name = "position", .range = {0, 255}, .label = {"Position", "位置"}}),
+    field(&LessonView::hemicube, {.name = "hemicube", .label = {"Hemicube", "ヘミキューブ"}}),
 };
 
 // A number of a step, which the program computes.

@@ -26,6 +26,7 @@ enum class Mark {
   probed_face,
   patch,        // that a panel points at,
   other_patch,  // and the one that it is seen from, or sees
+  other_fill,   // and what lies in it
   camera,       // seen from outside
   clip_volume
 };

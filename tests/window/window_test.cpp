@@ -240,6 +240,51 @@ TEST_F(Window, TheRadiositySolverIsSteppedAndPlayed) {
   EXPECT_EQ(at(window->state(), "can_undo"), Tree(false));
 }
 
+TEST_F(Window, AHemicubeIsLookedAtPatchByPatch) {
+  open(1280, 720, {"models/closed-cube.json", "--set", "hemicube=items"});
+  window->key("u");
+  wait_is("hemicube.busy", false);
+  window->wait("a patch", [](const Tree& s) { return at(s, "hemicube.exact").number() != nullptr; });
+  screenshot("hemicube-en");
+  // Another patch, by a click in the left picture.
+  const Tree first = at(window->state(), "hemicube.shown");
+  const auto [x0, y0, x1, y1] = window->place("picture:left");
+  window->click(x0 + 0.25 * (x1 - x0), y0 + 0.6 * (y1 - y0));
+  window->wait("another patch", [&](const Tree& s) {
+    return at(s, "hemicube.shown").number() && at(s, "hemicube.shown") != first && at(s, "calm") == Tree(true);
+  });
+  EXPECT_TRUE(at(window->state(), "probe.pixel").is_null());
+  // Pixels of the cross: the patch that they see, and its factor.
+  const auto cross = window->place("hemicube:cross");
+  const auto point = [&](double u, double v) {
+    window->move(cross[0] + u * (cross[2] - cross[0]), cross[1] + v * (cross[3] - cross[1]));
+  };
+  point(0.5, 0.5);
+  wait_is("hemicube.busy", false);
+  screenshot("hemicube-pixel-en");
+  const Tree above = at(window->state(), "hemicube.other");
+  point(0.08, 0.5);
+  window->wait("the patch aside",
+               [&](const Tree& s) { return at(s, "hemicube.other").number() && at(s, "hemicube.other") != above; });
+  // A wrong weight: the sum stays, the factor goes.
+  const double right = *at(window->state(), "hemicube.sum").number();
+  EXPECT_NEAR(right, 1, 1e-3);
+  window->click("weight:unweighted");
+  wait_is("scene.radiosity.weight", "unweighted");
+  window->wait("its row", [](const Tree& s) {
+    return at(s, "calm") == Tree(true) && at(s, "hemicube.factor").number() != nullptr;
+  });
+  EXPECT_NEAR(*at(window->state(), "hemicube.sum").number(), 1, 1e-3);
+  screenshot("hemicube-unweighted-en");
+  window->key("ctrl+z");
+  window->wait("the right weight", [](const Tree& s) { return at(s, "scene.radiosity.weight").is_null(); });
+  window->key("l");
+  window->click("button:ヌッセルト");
+  wait_is("settings.hemicube", "nusselt");
+  window->wait("the hemisphere", [](const Tree& s) { return at(s, "calm") == Tree(true); });
+  screenshot("hemicube-nusselt-ja");
+}
+
 TEST_F(Window, ASliderPlaysAndIsOneStepOfUndo) {
   open(1280, 720, {"torus", "--set", "sweep_seconds=0.5"});
   const Tree beginning = at(window->state(), "scene");
