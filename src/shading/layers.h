@@ -91,9 +91,9 @@ inline std::vector<const TextureLayer*> counting(const std::vector<TextureLayer>
 
 // TextureMatrix: (u, v) -> R (u repeat_u, v repeat_v) + offset, and the same of differences without the offset.
 template <class Real>
-class UvTransform {
+class TextureTransform {
  public:
-  explicit UvTransform(const TextureMatrix& m) {
+  explicit TextureTransform(const TextureMatrix& m) {
     const double c = std::cos(radians(m.turn)), s = std::sin(radians(m.turn));
     x_ = Vec2<Real>(Real(c * m.repeat_u), Real(-s * m.repeat_v));
     y_ = Vec2<Real>(Real(s * m.repeat_u), Real(c * m.repeat_v));

@@ -94,11 +94,11 @@ TEST(LayersTest, SoloAndMute) {
 TEST(LayersTest, TheTextureMatrix) {
   TextureMatrix m;
   m.repeat_u = 2, m.repeat_v = 3, m.turn = 90, m.offset_u = 0.25, m.offset_v = -1;
-  const UvTransform<double> t(m);
+  const TextureTransform<double> t(m);
   const Vec2<double> p = t.point({0.5, 0.1});
   EXPECT_NEAR(p.x, -0.3 + 0.25, 1e-15);
   EXPECT_NEAR(p.y, 1 - 1, 1e-15);
-  EXPECT_EQ(UvTransform<double>(TextureMatrix{}).point({0.3, 0.7}), Vec2<double>(0.3, 0.7));
+  EXPECT_EQ(TextureTransform<double>(TextureMatrix{}).point({0.3, 0.7}), Vec2<double>(0.3, 0.7));
   const auto f = t.footprint({{0, 0}, {0.1, 0}, {0, 0.1}});
   EXPECT_NEAR(f.dx.y, 0.2, 1e-15);
   EXPECT_NEAR(f.dy.x, -0.3, 1e-15);
