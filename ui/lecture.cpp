@@ -87,8 +87,10 @@ void draw_lecture_log(App& app) {
                  .in(l),
              app.look.palette.dim);
   if (!folder) {
-    if (button(app, "log", {.label = Words{"Save as a lesson…", "授業として保存…"}.in(l), .enabled = changes > 0}))
+    if (button(app, "log", {.label = Words{"Save as a lesson…", "授業として保存…"}.in(l), .enabled = changes > 0})) {
       folder = free_folder().string();
+      app.lecture->reveal = 3;  // the panel grows by what is drawn in the first of them
+    }
     return;
   }
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -97,6 +99,10 @@ void draw_lecture_log(App& app) {
   const bool pressed = button(app, "save log", {.label = Words{"Save", "保存"}.in(l)});
   ImGui::SameLine(0, app.look.px(6));
   const bool dropped = button(app, "keep log", {.label = Words{"Cancel", "やめる"}.in(l), .quiet = true});
+  if (app.lecture->reveal > 0) {
+    --app.lecture->reveal;
+    ImGui::SetScrollHereY(1);
+  }
   if ((entered || pressed) && !folder->empty()) save(app, *folder);
   if (entered || pressed || dropped) folder.reset();
 }

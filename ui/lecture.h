@@ -12,6 +12,7 @@ struct App;
 struct LectureDesk {
   LectureLog log;
   std::optional<std::string> folder;  // that is being typed, to save it
+  int reveal = 0;                     // frames in which the panel still scrolls to where it is typed
 };
 
 // After a frame.

@@ -133,8 +133,8 @@ TEST_F(RadiosityCommandTest, HemicubesByOpenGl) {
     std::vector<std::string> arguments{cube, "--patch-size", "0.5", "--resolution", "64"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     std::vector<double> out;
-    for (const Tree& o : *json(arguments).find("objects")->list())
-      out.push_back(*(*o.find("radiosity")->list())[0].number());
+    const Tree printed = json(arguments);
+    for (const Tree& o : *printed.find("objects")->list()) out.push_back(*(*o.find("radiosity")->list())[0].number());
     return out;
   };
   const std::vector<double> software = means({}), by_gl = means(gl);
