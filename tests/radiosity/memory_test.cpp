@@ -9,19 +9,12 @@
 
 #include "radiosity/solver.h"
 #include "tests/radiosity/scenes.h"
+#include "tests/sanitized.h"
 
 namespace cg {
 namespace {
 
 using namespace testing;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 // What this process had in memory at most, bytes.
 double peak() {
