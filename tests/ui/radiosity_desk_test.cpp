@@ -6,16 +6,10 @@
 #include <chrono>
 #include <thread>
 
-#include "workbench/open.h"
+#include "tests/coarse_box.h"
 
 namespace cg {
 namespace {
-
-Scene coarse_box() {
-  Scene s = open_scene("models/cornell-box.json");
-  s.radiosity.patch_size = 0.5, s.radiosity.resolution = 16, s.radiosity.samples = 1;
-  return s;
-}
 
 void settle(const RadiosityDesk& desk) {
   while (desk.state().busy) std::this_thread::sleep_for(std::chrono::milliseconds(2));

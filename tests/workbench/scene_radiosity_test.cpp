@@ -3,16 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "workbench/open.h"
+#include "tests/coarse_box.h"
 
 namespace cg {
 namespace {
-
-Scene coarse_box() {
-  Scene s = open_scene("models/cornell-box.json");
-  s.radiosity.patch_size = 0.5, s.radiosity.resolution = 16, s.radiosity.samples = 1;
-  return s;
-}
 
 SceneRadiosity solve(const Scene& scene, const SceneRadiosity& earlier = {}) {
   Progress progress;
