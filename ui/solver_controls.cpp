@@ -150,15 +150,28 @@ void choose_part(App& app) {
   }
 }
 
-// Why it ended, or that what is seen is brighter than it is.
-void draw_remarks(App& app, const SolverState& now) {
+// How far it is or why it ended, on one line from its first step on: what lies below stays where it is.
+void draw_progress(App& app, const SolverState& now) {
   const Language l = app.language();
   const Palette& p = app.look.palette;
   if (!now.message.en.empty())
-    small_text(app, now.message.in(l), now.end == SolverEnd::diverges ? p.error : p.text);
-  else if (now.end == SolverEnd::converged)
-    small_text(app, Words{"Converged: the error is below the residual.", "収束した（誤差は残差の指定以下）。"}.in(l),
-               p.text);
+    return small_text(app, now.message.in(l), now.end == SolverEnd::diverges ? p.error : p.text);
+  if (now.end == SolverEnd::converged)
+    return small_text(
+        app, Words{"Converged: the error is below the residual.", "収束した（誤差は残差の指定以下）。"}.in(l), p.text);
+  const std::string error = now.curve.empty() ? "…" : number_text(now.curve.back().error_bound, 0, 7);
+  const std::string wanted = number_text(now.task->options.residual, 0, 7);
+  small_text(
+      app,
+      Text("Error at most " + error + ", wanted " + wanted, "誤差 " + error + " 以下（指定 " + wanted + "）").in(l),
+      p.dim);
+}
+
+// That what is seen is brighter than it is.
+void draw_remarks(App& app, const SolverState& now) {
+  const Language l = app.language();
+  const Palette& p = app.look.palette;
+  draw_progress(app, now);
   if (now.brightest == 0)
     small_text(app, Words{"Nothing in the scene emits light.", "このシーンには発光するものがない。"}.in(l), p.dim);
   if (now.gain > 1) {

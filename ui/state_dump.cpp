@@ -99,6 +99,14 @@ Tree hemicube_state(const App& app) {
   return out;
 }
 
+Tree pointer_state() {
+  const ImGuiIO& io = ImGui::GetIO();
+  Tree out;
+  out.at("x") = double(io.MousePos.x), out.at("y") = double(io.MousePos.y);
+  out.at("down") = io.MouseDown[0];
+  return out;
+}
+
 }  // namespace
 
 void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
@@ -130,6 +138,7 @@ void StateDump::write(App& app, bool busy) {
   out.at("calm") = app.figures.valid && !solver_at_work(app) && !looks_at_hemicube(app) && !busy && !app.gesture &&
                    !ImGui::IsAnyMouseDown() && !app.errands->busy() && !app.look.glyphs.changed &&
                    !lessons_of(app).busy() && !lessons_of(app).loading();
+  out.at("pointer") = pointer_state();
   out.at("dialogue") = int(app.dialogue.kind);
   out.at("help") = app.help;
   Tree::List said;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <thread>
 
@@ -137,25 +138,40 @@ void WindowDriver::move(double x, double y) {
   tool("mousemove " + std::to_string(int(x)) + " " + std::to_string(int(y)));
 }
 
-// Slow enough for one frame between what belongs together, as a hand is.
+// A hand waits for what it sees: one frame at least has the pointer there before the button goes down, and one has the
+// button down before it goes up.
 void WindowDriver::click(double x, double y) {
   move(x, y);
-  pause(0.06);
+  wait_pointer(x, y, false);
   tool("mousedown 1");
-  pause(0.06);
+  wait_pointer(x, y, true);
   tool("mouseup 1");
+  wait_pointer(x, y, false);
+}
+
+void WindowDriver::wait_pointer(double x, double y, bool down) {
+  // A pixel's tolerance: the server's places are whole.
+  const auto near = [&](std::string_view path, double value) {
+    const double* const there = at(state_, path).number();
+    return there && std::abs(*there - value) <= 1;
+  };
+  wait("the pointer at " + std::to_string(int(x)) + ", " + std::to_string(int(y)), [&](const Tree& s) {
+    return near("pointer.x", x) && near("pointer.y", y) && at(s, "pointer.down") == Tree(down);
+  });
 }
 
 void WindowDriver::drag(double x, double y, double dx, double dy) {
   move(x, y);
-  pause(0.06);
+  wait_pointer(x, y, false);
   tool("mousedown 1");
+  wait_pointer(x, y, true);
   for (int i = 1; i <= 4; ++i) {
     pause(0.05);
     move(x + dx * i / 4, y + dy * i / 4);
   }
-  pause(0.06);
+  wait_pointer(x + dx, y + dy, true);
   tool("mouseup 1");
+  wait_pointer(x + dx, y + dy, false);
 }
 
 std::array<double, 4> WindowDriver::place(const std::string& control) {
@@ -171,8 +187,15 @@ std::array<double, 4> WindowDriver::place(const std::string& control) {
 }
 
 void WindowDriver::click(const std::string& control) {
-  const auto [x0, y0, x1, y1] = place(control);
-  click(0.5 * (x0 + x1), 0.5 * (y0 + y1));
+  // What appears above a control moves it: it must still be there when the pointer is.
+  for (int i = 0; i < 20; ++i) {
+    const auto corners = place(control);
+    const double x = 0.5 * (corners[0] + corners[2]), y = 0.5 * (corners[1] + corners[3]);
+    move(x, y);
+    wait_pointer(x, y, false);
+    if (place(control) == corners) return click(x, y);
+  }
+  ADD_FAILURE() << control << " does not stay where it is";
 }
 
 const Tree& WindowDriver::state() {

@@ -47,6 +47,8 @@ class WindowDriver {
 
  private:
   void tool(const std::string& arguments) const;
+  // Until a frame has seen the pointer there, with the button so.
+  void wait_pointer(double x, double y, bool down);
 
   std::filesystem::path home_, state_file_;
   int width_ = 0, height_ = 0;

@@ -205,7 +205,7 @@ TEST_F(Window, AnExtremeIsAppliedAndChecked) {
 }
 
 TEST_F(Window, TheRadiositySolverIsSteppedAndPlayed) {
-  open(1280, 720, {"models/cornell-box.json", "--set", "radiosity.patch_size=0.24", "--set", "solver_speed=2000"});
+  open(1280, 720, {"models/cornell-box.json", "--set", "radiosity.patch_size=0.24", "--set", "solver_speed=200"});
   const Tree beginning = at(window->state(), "scene");
   EXPECT_EQ(at(beginning, "radiosity.patch_size"), Tree(0.24));
   window->key("g");
