@@ -167,8 +167,9 @@ class PhongPixels {
 
 // Brings colours into a float's range; those that are not numbers become 0. Returns how many of the lanes `covered`
 // these are. A sliver's weights may carry a colour beyond float's range.
+// In the loop over the picture: a call would carry eight pixels through memory and back.
 template <class Real>
-int finish(const LaneVectors<Real>& I, LaneBytes covered, LaneVectors<float>& out) {
+[[gnu::always_inline]] inline int finish(const LaneVectors<Real>& I, LaneBytes covered, LaneVectors<float>& out) {
   const Lanes<Real> most = Lanes<Real>{} + Real(1e30), least = -most;
   const auto limited = [&](const Lanes<Real>& c, Lanes<float>& to) {
     const Lanes<Real> above = c < least ? least : c;
@@ -184,14 +185,14 @@ int finish(const LaneVectors<Real>& I, LaneBytes covered, LaneVectors<float>& ou
 }
 
 // Limited as saturate() does it: a sliver's plane may overshoot.
-void store_depth(const Lanes<float>& depth, int count, float* to) {
+[[gnu::always_inline]] inline void store_depth(const Lanes<float>& depth, int count, float* to) {
   const Lanes<float> zero{}, one = zero + 1.0f, above = depth > zero ? depth : zero;
   const Lanes<float> limited = above < one ? above : one;
   std::memcpy(to, &limited, std::size_t(count) * sizeof *to);
 }
 
 // x y z x y z ... in memory, as Image has them.
-void store(const LaneVectors<float>& v, int count, glm::vec3* to) {
+[[gnu::always_inline]] inline void store(const LaneVectors<float>& v, int count, glm::vec3* to) {
   // clang-format off
   const Lanes<float> xy0 = __builtin_shufflevector(v.x, v.y, 0, 8, 0, 1, 9, 0, 2, 10);
   const Lanes<float> xy1 = __builtin_shufflevector(v.x, v.y, 0, 3, 11, 0, 4, 12, 0, 5);

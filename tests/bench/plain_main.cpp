@@ -3,6 +3,7 @@
 // take turns, so that both see the machine at the same speed; CPU time of the whole process. Prints the median of the
 // pairs' ratios with the quartiles. Not a test: a time is no promise on another machine. With --instructions it counts,
 // under Valgrind, the instructions of a picture instead, which no neighbour on the machine can disturb.
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -149,10 +150,10 @@ class Worker {
  public:
   Worker(const std::string& program, const std::string& size) {
     int to[2], from[2];
-    if (pipe(to) != 0 || pipe(from) != 0) std::exit(1);
+    // Closed in the program that is started: the other worker would keep it from ever reading an end.
+    if (pipe2(to, O_CLOEXEC) != 0 || pipe2(from, O_CLOEXEC) != 0) std::exit(1);
     if (fork() == 0) {
       dup2(to[0], 0), dup2(from[1], 1);
-      for (const int end : {to[0], to[1], from[0], from[1]}) close(end);
       execl(program.c_str(), program.c_str(), "--work", size.c_str(), nullptr);
       _exit(127);
     }
@@ -198,16 +199,18 @@ int main(int argc, char** argv) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path plain = self.parent_path() / "bench_plain_only";
   if (count) return count_instructions(self, plain, size);
-  Worker all(self, size), only(plain, size);
   std::printf("plain scene, %s, CPU time a picture, %d pairs of %d pictures\n", size.c_str(), pairs, draws);
   for (std::size_t k = 0; k < cases.size(); ++k) {
     std::vector<double> ratios, ms;
     for (int i = 0; i < pairs; ++i) {
+      // Of their own: where in memory a process finds its pages decides more than what is to be measured.
+      Worker all(self, size), only(plain, size);
       double a = 0, b = 0;
       if (i % 2 == 0)
         a = all.ms(k), b = only.ms(k);
       else
         b = only.ms(k), a = all.ms(k);
+      all.end(), only.end();
       if (a < 0 || b < 0) break;
       ratios.push_back(a / b), ms.push_back(a);
     }
@@ -218,5 +221,4 @@ int main(int argc, char** argv) {
                 ms[ms.size() / 2], at(0.5), at(0.25), at(0.75));
     std::fflush(stdout);
   }
-  all.end(), only.end();
 }
