@@ -33,7 +33,7 @@ Lines hatch(const Patch& p) {
 std::optional<std::uint32_t> patch_at(const App& app, const Place& place, const glm::dvec2& pixel) {
   const HemicubeDesk* desk = open_desk(app);
   if (!desk || pixel.x < 0 || pixel.y < 0 || pixel.x >= place.width || pixel.y >= place.height) return std::nullopt;
-  const Projector::Ray ray = Projector(app.scene.camera, {place.width, place.height}).ray(pixel);
+  const PictureProjection::Ray ray = PictureProjection(app.scene.camera, {place.width, place.height}).ray(pixel);
   return desk->state().ground->met(ray.origin, ray.direction);
 }
 

@@ -16,11 +16,11 @@ void ring(ImDrawList* draw, ImVec2 at, float radius, float unit) {
 }
 
 // The vertices that were lit, where they can be told apart.
-void paint_corners(App& app, const Probe& probe, const Projector& projector,
+void paint_corners(App& app, const Probe& probe, const PictureProjection& projection,
                    const std::function<ImVec2(const glm::dvec2&)>& to_screen) {
   std::vector<ImVec2> corners;
   for (const LitPoint& v : probe.vertices)
-    if (const auto seen = projector.project(v.P)) corners.push_back(to_screen(seen->pixel));
+    if (const auto seen = projection.project(v.P)) corners.push_back(to_screen(seen->pixel));
   if (corners.size() != 3) return;
   const auto apart = [&](std::size_t a, std::size_t b) {
     return std::max(std::abs(corners[a].x - corners[b].x), std::abs(corners[a].y - corners[b].y));
@@ -55,12 +55,12 @@ void add_probe_lines(const App& app, const Probed& probed, const Camera& camera,
   if (Lines triangle = triangle_lines(probed.probe); !triangle.points.empty()) out.push_back(std::move(triangle));
 }
 
-void paint_letters(App& app, const std::vector<ProbedVector>& vectors, const Projector& projector,
+void paint_letters(App& app, const std::vector<ProbedVector>& vectors, const PictureProjection& projection,
                    const std::function<ImVec2(const glm::dvec2&)>& to_screen) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const Look& look = app.look;
   for (const ProbedVector& v : vectors) {
-    const auto foot = projector.project(v.foot), tip = projector.project(v.tip);
+    const auto foot = projection.project(v.foot), tip = projection.project(v.tip);
     if (!foot || !tip) continue;
     const ImVec2 a = to_screen(foot->pixel), b = to_screen(tip->pixel);
     const float dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
@@ -112,10 +112,10 @@ void Panes::paint_probe(App& app, int side, const Place& place) {
   const DrawingHandle& drawing = on_screen_[std::size_t(side)];
   if (probed && drawing) {
     const Camera& camera = drawing->scene.camera;
-    const Projector projector(camera, {place.width, place.height});
+    const PictureProjection projection(camera, {place.width, place.height});
     const auto to_screen = [&](const glm::dvec2& p) { return place.to_screen(p); };
-    paint_letters(app, vectors_of(app, probed->probe, camera), projector, to_screen);
-    paint_corners(app, probed->probe, projector, to_screen);
+    paint_letters(app, vectors_of(app, probed->probe, camera), projection, to_screen);
+    paint_corners(app, probed->probe, projection, to_screen);
   }
   draw->PopClipRect();
 }

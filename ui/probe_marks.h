@@ -23,7 +23,7 @@ void add_probe_lines(const App& app, const Probed& probed, const Camera& camera,
                      std::vector<Lines>& out);
 
 // Tips and letters of the vectors, over their lines.
-void paint_letters(App& app, const std::vector<ProbedVector>& vectors, const Projector& projector,
+void paint_letters(App& app, const std::vector<ProbedVector>& vectors, const PictureProjection& projection,
                    const std::function<ImVec2(const glm::dvec2&)>& to_screen);
 
 }  // namespace cg

@@ -54,9 +54,9 @@ void WorldView::draw_divided(App& app, const Place& place) {
     divided_renderer_.keep({*edges});
   }
   add_line_call(place);
-  const Projector projector(*divided_camera_, {place.width, place.height});
+  const PictureProjection projection(*divided_camera_, {place.width, place.height});
   const auto to_screen = [&](const glm::dvec3& point) {
-    const auto seen = projector.project(point);
+    const auto seen = projection.project(point);
     return seen ? place.to_screen(seen->pixel) : ImVec2(-1e4f, -1e4f);
   };
   draw->PushClipRect(place.low, place.high, true);

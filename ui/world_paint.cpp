@@ -108,7 +108,7 @@ void WorldView::draw_lines(const ImDrawList*, const ImDrawCmd* command) {
 void WorldView::paint_marks(App& app, const Place& place) {
   Look& look = app.look;
   const Camera& camera = shown_->scene.camera;
-  const Projector projector(camera, {place.width, place.height});
+  const PictureProjection projection(camera, {place.width, place.height});
   const auto to_screen = [&](const glm::dvec2& pixel) { return place.to_screen(pixel); };
   Scene seen = app.scene;
   seen.camera = camera;
@@ -120,17 +120,17 @@ void WorldView::paint_marks(App& app, const Place& place) {
     if (h.grip != Grip::aim) mark_word(app, {at.x + look.px(9), at.y + look.px(5)}, std::to_string(h.light));
   }
   for (const Grab::Kind end : {Grab::eye, Grab::target})
-    if (const auto p = projector.project(end == Grab::eye ? app.scene.camera.position : app.scene.camera.target))
+    if (const auto p = projection.project(end == Grab::eye ? app.scene.camera.position : app.scene.camera.target))
       mark_knob(app, to_screen(p->pixel), look.px(4), end == Grab::eye, grab_.kind == end || pointed_end_ == end);
   const auto volume = view_volume(app.scene.camera, aspect_of(app));
   constexpr Words near_word{"near", "前方面"}, far_word{"far", "後方面"};
   for (const auto& [corner, name] : {std::pair{std::size_t(3), near_word}, {std::size_t(7), far_word}})
-    if (const auto p = projector.project(volume[corner])) {
+    if (const auto p = projection.project(volume[corner])) {
       const ImVec2 at = to_screen(p->pixel);
       mark_word(app, {at.x + look.px(4), at.y - look.px(4)}, name.in(app.language()));
     }
   if (const Probed* probed = shown_probed(app))
-    paint_letters(app, vectors_of(app, probed->probe, camera, vector_length), projector, to_screen);
+    paint_letters(app, vectors_of(app, probed->probe, camera, vector_length), projection, to_screen);
   if (pointed_ || pointed_end_ != Grab::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   constexpr Words eye_tip{"Drag: the scene's camera", "ドラッグでシーンのカメラを動かす"},
       target_tip{"Drag: the point that it looks at", "ドラッグで注視点を動かす"};

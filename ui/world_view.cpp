@@ -102,9 +102,9 @@ void WorldView::take_mouse(App& app, const Place& place) {
     const glm::dvec2 mouse = place.to_picture(io.MousePos);
     const double reach = double(app.look.px(grab_radius)) / place.magnification();
     pointed_ = handle_at(light_handles(seen_from_here(app), size_of(place)), mouse, reach);
-    const Projector projector(*camera_, size_of(place));
+    const PictureProjection projection(*camera_, size_of(place));
     const auto near_it = [&](const glm::dvec3& point) {
-      const auto seen = projector.project(point);
+      const auto seen = projection.project(point);
       return seen && glm::distance(seen->pixel, mouse) < reach;
     };
     if (!pointed_ && near_it(app.scene.camera.position)) pointed_end_ = Grab::eye;
@@ -176,12 +176,12 @@ void WorldView::go_on(App& app, const Place& place) {
 
 // An end of the scene's camera, in the plane parallel to the screen.
 void WorldView::drag_camera(App& app, const Place& place) {
-  const Projector projector(*camera_, size_of(place));
-  const auto seen = projector.project(grab_.point);
+  const PictureProjection projection(*camera_, size_of(place));
+  const auto seen = projection.project(grab_.point);
   if (!seen) return;
   const glm::dvec2 moved = place.to_picture(ImGui::GetIO().MousePos) - place.to_picture(grab_.start);
   if (moved == glm::dvec2(0)) return;
-  const glm::dvec3 point = projector.unproject(seen->pixel + moved, seen->depth);
+  const glm::dvec3 point = projection.unproject(seen->pixel + moved, seen->depth);
   Camera camera = app.scene.camera;
   (grab_.kind == Grab::eye ? camera.position : camera.target) = point;
   if (is_finite(point) && glm::distance(camera.position, camera.target) > 1e-6) move_camera(app, camera, app.scene);

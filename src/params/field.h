@@ -40,6 +40,7 @@ struct About {
   Range range = {0, 1};              // what is accepted, each component; not used by bool, enum and string
   std::optional<Range> slider = {};  // where a slider ends; the range if there is none
   std::optional<double> also = {};   // one more value that is accepted (GL_SPOT_CUTOFF: 0..90 and 180)
+  std::size_t most = 0;              // of a list: how many items it may have
   Scale scale = Scale::linear;       // how a slider moves
   Meaning meaning = Meaning::number;
   Quantity quantity = Quantity::none;

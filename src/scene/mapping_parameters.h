@@ -75,6 +75,8 @@ inline constexpr auto fields_of<SeamEdge> = std::tuple{
 };
 static_assert(well_described<SeamEdge>());
 
+inline constexpr std::size_t most_seams = std::size_t(1) << 20;  // of an object
+
 // How a chart is flattened.
 enum class UnwrapMethod { lscm, spectral, mean_value, free_boundary };
 template <>
@@ -111,6 +113,7 @@ inline constexpr auto fields_of<Unwrapping> = std::tuple{
                     "印をつけた縫い目に加えて、歪みの少ない部分に自動で分ける。"}}),
     field(&Unwrapping::seams,
           {.name = "seams",
+           .most = most_seams,
            .label = {"Seams", "縫い目"},
            .help = {"Marked edges: the charts part there.", "印をつけた辺。展開図はここで切れる。"}}),
     field(&Unwrapping::area_distortion,
@@ -135,6 +138,5 @@ inline constexpr auto fields_of<Unwrapping> = std::tuple{
                                       .label = {"Texture size", "テクスチャの大きさ"},
                                       .help = {"For which the margin is counted.", "余白を測る基準の画素数。"}}),
 };
-static_assert(well_described<Unwrapping>());
 
 }  // namespace cg

@@ -1,7 +1,7 @@
 // What a surface does with light: the k of the lecture's formula
 //   I = I_a k_a + sum_i I_i [ k_d (N.L) + k_s (R.V)^n ] + k_r I_r + k_t I_t
 #pragma once
-#include "params/field.h"
+#include "scene/texture_layer.h"
 
 namespace cg {
 
@@ -14,7 +14,8 @@ struct Material {
   glm::dvec3 k_r{0, 0, 0};
   glm::dvec3 k_t{0, 0, 0};
   glm::dvec3 emission{0, 0, 0};
-  glm::dvec3 color{1, 1, 1};  // the current colour (glColor), used where colour material is on
+  glm::dvec3 color{1, 1, 1};         // the current colour (glColor), used where colour material is on
+  std::vector<TextureLayer> layers;  // of textures, in the order in which they are composed
   friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -87,7 +88,11 @@ inline constexpr auto fields_of<Material> = std::tuple{
            .label = {"Current colour (glColor)", "現在の色（glColor）"},
            .help = {"Takes the place of reflectances where colour material is on; else it does nothing.",
                     "カラーマテリアルが有効なとき反射率の代わりになる。無効なら何もしない。"}}),
+    field(&Material::layers, {.name = "layers",
+                              .most = most_layers,
+                              .label = {"Textures", "テクスチャ"},
+                              .help = {"Pictures that change the material from place to place, one over the other.",
+                                       "素材を場所ごとに変える画像。順に重ねる。"}}),
 };
-static_assert(well_described<Material>());
 
 }  // namespace cg

@@ -17,7 +17,7 @@ struct NamedMaterial {
 };
 
 // The material with its k and n taken from the table, and the rest left as it is.
-constexpr Material with(Material material, const NamedMaterial& named) {
+inline Material with(Material material, const NamedMaterial& named) {
   material.k_a = named.k_a, material.k_d = named.k_d, material.k_s = named.k_s, material.n = named.n;
   return material;
 }

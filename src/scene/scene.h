@@ -9,6 +9,7 @@
 #include "params/slots.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/mapping_parameters.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/mistakes.h"
@@ -28,7 +29,8 @@ struct Object {
   Transform transform;
   bool own_material = false;  // false: the scene's
   Material material;
-  MeshHandle mesh;  // what model, part and tessellation stand for; null until it is loaded
+  Unwrapping unwrapping;  // of its mesh, for the layers of textures that ask for it
+  MeshHandle mesh;        // what model, part and tessellation stand for; null until it is loaded
   friend bool operator==(const Object&, const Object&) = default;
 };
 
@@ -50,7 +52,10 @@ inline constexpr auto fields_of<Object> = std::tuple{
                                   .help = {"The object has a material of its own instead of the scene's.",
                                            "シーンの素材でなく専用の素材を使う。"}}),
     field(&Object::material, {.name = "material", .label = {"Material", "素材"}}),
+    field(&Object::unwrapping, {.name = "unwrapping", .label = {"Unwrap", "展開図"}}),
 };
+
+inline constexpr std::size_t object_limit = 100000;  // of a scene
 
 struct Scene {
   std::vector<Object> objects;
@@ -67,9 +72,9 @@ struct Scene {
 
 template <>
 inline constexpr auto fields_of<Scene> = std::tuple{
-    field(&Scene::objects, {.name = "objects", .label = {"Objects", "物体"}}),
+    field(&Scene::objects, {.name = "objects", .most = object_limit, .label = {"Objects", "物体"}}),
     field(&Scene::material, {.name = "material", .label = {"Material", "素材"}}),
-    field(&Scene::lights, {.name = "lights", .label = {"Lights", "光源"}}),
+    field(&Scene::lights, {.name = "lights", .most = light_limit, .label = {"Lights", "光源"}}),
     field(&Scene::camera, {.name = "camera", .label = {"Camera", "カメラ"}}),
     field(&Scene::shading, {.name = "shading", .label = {"Shading", "シェーディング"}}),
     field(&Scene::radiosity, {.name = "radiosity", .label = {"Radiosity", "ラジオシティ"}}),

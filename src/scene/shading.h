@@ -51,6 +51,15 @@ enum class Precision { single_precision, double_precision };
 template <>
 inline constexpr std::array<Name, 2> names_of<Precision>{
     {{"float", {"float", "float"}}, {"double", {"double", "double"}}}};
+// What becomes of a surface that is not opaque everywhere. Test: a pixel is there or not. Blending mixes with what was
+// drawn before, so it is right where the far is drawn first.
+enum class Transparency { opaque, test, blend, sorted_blend };
+template <>
+inline constexpr std::array<Name, 4> names_of<Transparency>{
+    {{"opaque", {"Ignored", "無視"}},
+     {"test", {"Alpha test", "アルファテスト"}},
+     {"blend", {"Blend, as drawn", "合成（描画順のまま）"}},
+     {"sorted-blend", {"Blend, sorted", "合成（奥から順に）"}}}};
 
 struct Shading {
   ShadingMode mode = ShadingMode::gouraud;
@@ -64,6 +73,8 @@ struct Shading {
   NormalLength normal_length = NormalLength::normalize;
   ColorMaterial color_material = ColorMaterial::off;
   bool clamp = true;
+  Transparency transparency = Transparency::opaque;
+  double alpha_threshold = 0.5;
   Precision precision = Precision::double_precision;
   friend bool operator==(const Shading&, const Shading&) = default;
 };
@@ -143,6 +154,16 @@ inline constexpr auto fields_of<Shading> = std::tuple{
            .label = {"Clamp to 0..1", "0..1 に制限"},
            .help = {"OpenGL limits each vertex's colour before it interpolates; here you can switch it off.",
                     "OpenGL は補間の前に頂点の色を制限する。ここでは外せる。"}}),
+    field(&Shading::transparency, {.name = "transparency",
+                                   .gl = "GL_ALPHA_TEST, GL_BLEND",
+                                   .label = {"Transparency", "透明"},
+                                   .help = {"What becomes of places whose opacity, from a texture, is below 1.",
+                                            "テクスチャの不透明度が 1 未満の所をどう描くか。"}}),
+    field(&Shading::alpha_threshold, {.name = "alpha_threshold",
+                                      .gl = "glAlphaFunc",
+                                      .label = {"Alpha threshold", "アルファのしきい値"},
+                                      .help = {"Of the alpha test: what is not above it is not drawn.",
+                                               "アルファテストで、これを超えない所は描かない。"}}),
     field(&Shading::precision,
           {.name = "precision",
            .label = {"Software precision", "ソフトウェアの精度"},

@@ -93,7 +93,7 @@ inline constexpr auto fields_of<TextureMatrix> = std::tuple{
 };
 static_assert(well_described<TextureMatrix>());
 
-inline constexpr int most_layers = 16;  // of a material
+inline constexpr std::size_t most_layers = 16;  // of a material
 
 struct TextureLayer {
   bool visible = true;

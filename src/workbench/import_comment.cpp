@@ -1,9 +1,10 @@
 #include "workbench/import_comment.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "params/input_error.h"
-#include "params/slots.h"
+#include "params/lists.h"
 #include "scene/text_scanner.h"
 #include "workbench/import.h"
 
@@ -25,11 +26,17 @@ std::string line(std::string_view path, const Tree& from, const Tree& to) {
   return " * " + std::string(path) + ": " + in_comment(from) + std::string(becomes) + in_comment(to) + "\n";
 }
 
-template <class Item>
-std::string length_line(std::string_view path, std::vector<Item>& read, const std::vector<Item>& scene) {
-  if (read.size() == scene.size()) return "";
-  const std::string out = line(path, read.size(), scene.size());
-  read.resize(scene.size());
+// Where lists have other lengths: `read` gets those of `scene`.
+std::string length_lines(Scene& read, Scene& scene) {
+  std::string out;
+  const std::vector<ListSlot> wanted = lists(scene);
+  std::size_t i = 0;
+  for_each_list(read, [&](const ListSlot& list) {
+    const std::size_t size = wanted[i++].size();
+    if (list.size() == size) return;
+    out += line(list.path, list.size(), size);
+    list.resize(size);
+  });
   return out;
 }
 
@@ -47,18 +54,14 @@ std::optional<Change> change_of(std::string_view text) {
 
 bool same(const Tree& a, const Tree& b) { return to_json(a, 0) == to_json(b, 0); }
 
-template <class Item>
-bool resize(std::vector<Item>& list, std::string_view path, std::string_view key, const Change& change,
-            std::size_t limit) {
-  if (path != key) return false;
-  const double* n = change.to.number();
-  if (n && *n >= 0 && *n <= double(limit) && same(change.from, list.size())) list.resize(std::size_t(*n));
-  return true;
-}
-
 void apply(Scene& scene, std::string_view path, const Change& change) {
-  if (resize(scene.lights, path, "lights", change, light_limit)) return;
-  if (resize(scene.objects, path, "objects", change, 1000)) return;
+  for (const ListSlot& list : lists(scene))
+    if (list.path == path) {
+      const double* n = change.to.number();
+      const double most = double(std::min(list.about->most, std::size_t(1000)));  // what a comment may ask for
+      if (n && *n >= 0 && *n <= most && same(change.from, list.size())) list.resize(std::size_t(*n));
+      return;
+    }
   const Slots all = slots(scene);
   const Slot& slot = find_slot(all, path);
   if (same(slot_tree(slot), change.from)) assign(slot, change.to);
@@ -68,8 +71,7 @@ void apply(Scene& scene, std::string_view path, const Change& change) {
 
 std::string comment_between(const Scene& read, const Scene& scene) {
   Scene before = read, after = scene;
-  std::string lines =
-      length_line("lights", before.lights, after.lights) + length_line("objects", before.objects, after.objects);
+  std::string lines = length_lines(before, after);
   const Slots a = slots(before), b = slots(after);
   for (std::size_t i = 0; i < a.size(); ++i)
     if (const Tree from = slot_tree(a[i]), to = slot_tree(b[i]); !same(from, to)) lines += line(a[i].path, from, to);

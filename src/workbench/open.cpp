@@ -1,7 +1,7 @@
 #include "workbench/open.h"
 
 #include "params/input_error.h"
-#include "params/slots.h"
+#include "params/lists.h"
 #include "workbench/data_folder.h"
 #include "workbench/lesson.h"
 #include "workbench/preset.h"
@@ -11,13 +11,6 @@ namespace cg {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Adds the item that a path begins with ("lights.1.") where it is the next of the list.
-template <class Item>
-void add_next(std::vector<Item>& list, std::string_view path, std::string_view key, std::size_t limit) {
-  const std::string next = std::string(key) + std::to_string(list.size()) + ".";
-  if (list.size() < limit && path.starts_with(next)) list.emplace_back();
-}
 
 }  // namespace
 
@@ -36,8 +29,7 @@ void set_parameter(Scene& scene, const std::string& path_and_value) {
                      {"write path=value: material.k_d=0.5", "material.k_d=0.5 のように書いてください"});
   const std::string path = path_and_value.substr(0, equals);
   Scene changed = scene;
-  add_next(changed.lights, path, "lights.", light_limit);
-  add_next(changed.objects, path, "objects.", std::size_t(-1));
+  add_next_items(changed, path);
   const std::vector<Object> before = changed.objects;
   assign_text(find_slot(slots(changed), path), path_and_value.substr(equals + 1));
   for (std::size_t i = 0; i < before.size(); ++i)

@@ -28,7 +28,7 @@ double aim_length(const Light& light, const Camera& camera) {
 
 // The point of the sphere under `pixel`, on the half that `behind` says; where the ray misses, the point of its
 // outline on that side.
-glm::dvec3 on_sphere(const Projector& p, const glm::dvec2& pixel, double radius, bool behind) {
+glm::dvec3 on_sphere(const PictureProjection& p, const glm::dvec2& pixel, double radius, bool behind) {
   const auto [origin, direction] = p.ray(pixel);
   const glm::dvec3 to_centre = p.camera.target - origin;
   const double along = glm::dot(to_centre, direction);
@@ -43,7 +43,7 @@ glm::dvec3 on_sphere(const Projector& p, const glm::dvec2& pixel, double radius,
   return p.camera.target + radius * (aside * std::sqrt(1 - sine * sine) - towards * sine);
 }
 
-std::optional<Handle> sphere_handle(const Projector& p, int index, const glm::dvec3& direction) {
+std::optional<Handle> sphere_handle(const PictureProjection& p, int index, const glm::dvec3& direction) {
   const glm::dvec3 d = unit(direction);
   if (d == glm::dvec3(0)) return std::nullopt;
   Handle h{index, Grip::sphere, p.camera.target + handle_sphere_radius(p.camera, p.size) * d, {}, 0, false};
@@ -56,13 +56,13 @@ std::optional<Handle> sphere_handle(const Projector& p, int index, const glm::dv
 
 }  // namespace
 
-Projector::Projector(const Camera& c, const glm::dvec2& s)
+PictureProjection::PictureProjection(const Camera& c, const glm::dvec2& s)
     : camera(c), size(s), to_eye(view_matrix(c)), to_world(glm::inverse(to_eye)) {
   const glm::dmat4 m = projection_matrix(c, s.x / s.y);
   scale = {m[0][0] * s.x / 2, m[1][1] * s.y / 2};
 }
 
-std::optional<Projector::Seen> Projector::project(const glm::dvec3& point) const {
+std::optional<PictureProjection::Seen> PictureProjection::project(const glm::dvec3& point) const {
   const glm::dvec3 eye(to_eye * glm::dvec4(point, 1));
   const double depth = -eye.z;
   const bool perspective = camera.projection == Projection::perspective;
@@ -73,13 +73,13 @@ std::optional<Projector::Seen> Projector::project(const glm::dvec3& point) const
   return seen;
 }
 
-glm::dvec3 Projector::unproject(const glm::dvec2& pixel, double depth) const {
+glm::dvec3 PictureProjection::unproject(const glm::dvec2& pixel, double depth) const {
   const double grow = camera.projection == Projection::perspective ? depth : 1;
   const glm::dvec3 eye((pixel.x - size.x / 2) / scale.x * grow, (size.y / 2 - pixel.y) / scale.y * grow, -depth);
   return glm::dvec3(to_world * glm::dvec4(eye, 1));
 }
 
-Projector::Ray Projector::ray(const glm::dvec2& pixel) const {
+PictureProjection::Ray PictureProjection::ray(const glm::dvec2& pixel) const {
   const glm::dvec3 origin = unproject(pixel, 0), through = unproject(pixel, 1);
   return {origin, unit(through - origin)};
 }
@@ -93,7 +93,7 @@ double handle_sphere_radius(const Camera& camera, const glm::dvec2& size) {
 std::vector<Handle> light_handles(const Scene& scene, const glm::dvec2& size) {
   std::vector<Handle> out;
   if (!(size.x > 0 && size.y > 0)) return out;
-  const Projector p(scene.camera, size);
+  const PictureProjection p(scene.camera, size);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     if (!light.enabled) continue;
@@ -129,7 +129,7 @@ std::optional<Handle> handle_at(const std::vector<Handle>& handles, const glm::d
 
 Light dragged(const Light& before, const Handle& handle, const Camera& camera, const glm::dvec2& size,
               const glm::dvec2& moved, bool along_view) {
-  const Projector p(camera, size);
+  const PictureProjection p(camera, size);
   const glm::dvec2 pixel = handle.pixel + moved;
   const double push = std::exp(std::clamp(-moved.y / size.y * push_per_height, -20.0, 20.0));
   const glm::dvec3 plane =

@@ -9,8 +9,8 @@
 namespace cg {
 
 // How a world point is seen in a picture of `size` pixels (both > 0).
-struct Projector {
-  Projector(const Camera& camera, const glm::dvec2& size);
+struct PictureProjection {
+  PictureProjection(const Camera& camera, const glm::dvec2& size);
 
   struct Seen {
     glm::dvec2 pixel;

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <set>
 
 #include "params/file.h"
 #include "params/input_error.h"
-#include "params/slots.h"
+#include "params/lists.h"
 #include "workbench/model_library.h"
 
 namespace cg {
@@ -16,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int schema = 1;
-constexpr std::size_t object_limit = 100000;
 
 // ---- writing ----
 
@@ -29,12 +29,18 @@ std::string name_for(const std::string& model, const fs::path& folder) {
   return near.empty() || *near.begin() == ".." ? model : near.string();
 }
 
-// Gives `base` the length of `list` and writes what that took: {} for an item more, null for one less.
-template <class Item>
-void write_length(Tree& out, std::string_view key, std::vector<Item>& base, const std::vector<Item>& list) {
-  for (std::size_t i = base.size(); i < list.size(); ++i) out.at(key).at(std::to_string(i)) = Tree(Tree::Members{});
-  for (std::size_t i = list.size(); i < base.size(); ++i) out.at(key).at(std::to_string(i)) = Tree();
-  base.resize(list.size());
+// Gives the lists of `base` the lengths of those of `scene` and writes what that took: {} for an item more, null for
+// one less.
+void write_lengths(Tree& out, Scene& base, Scene& scene) {
+  const std::vector<ListSlot> now = lists(scene);
+  std::size_t i = 0;  // the outer lists are alike by then, so the lists come in the same order
+  for_each_list(base, [&](const ListSlot& before) {
+    const ListSlot& list = now[i++];
+    for (std::size_t k = before.size(); k < list.size(); ++k)
+      at_path(out, list.path).at(std::to_string(k)) = Tree(Tree::Members{});
+    for (std::size_t k = list.size(); k < before.size(); ++k) at_path(out, list.path).at(std::to_string(k)) = Tree();
+    before.resize(list.size());
+  });
 }
 
 // ---- reading ----
@@ -71,10 +77,21 @@ struct ListChange {
   std::vector<std::size_t> removed;  // ascending
 };
 
+// The value at a path of nested objects; null where there is none.
+const Tree* find_path(const Tree& tree, std::string_view path) {
+  const Tree* here = &tree;
+  while (here && here->members() && !path.empty()) {
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    here = here->find(path.substr(0, dot));
+    path.remove_prefix(std::min(dot + 1, path.size()));
+  }
+  return path.empty() ? here : nullptr;
+}
+
 ListChange list_change(const Tree& preset, const std::string& key, std::size_t length, std::size_t limit,
                        const std::string& where) {
   ListChange change{length, {}};
-  const Tree* list = preset.find(key);
+  const Tree* list = find_path(preset, key);
   if (!list) return change;
   if (!list->members())
     throw InputError(where + ": " + key, {"this is no list", "リストではありません"},
@@ -105,23 +122,41 @@ ListChange list_change(const Tree& preset, const std::string& key, std::size_t l
   return change;
 }
 
-template <class Item>
-void remove(std::vector<Item>& list, const std::vector<std::size_t>& removed) {
-  for (auto i = removed.rbegin(); i != removed.rend(); ++i) list.erase(list.begin() + std::ptrdiff_t(*i));
+// Gives each list of the scene the items that the preset adds; those that it takes away are returned, outer lists
+// first.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> add_items(Scene& scene, const Tree& preset,
+                                                                        const std::string& where) {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> removed;
+  for_each_list(scene, [&](const ListSlot& list) {
+    ListChange change = list_change(preset, list.path, list.size(), list.about->most, where);
+    list.resize(change.length);
+    if (!change.removed.empty()) removed.emplace_back(list.path, std::move(change.removed));
+  });
+  return removed;
 }
 
-void assign_members(const Slots& all, const Tree& tree, const std::string& prefix) {
+void remove_items(Scene& scene, const std::vector<std::pair<std::string, std::vector<std::size_t>>>& removed) {
+  for (auto one = removed.rbegin(); one != removed.rend(); ++one) {
+    const std::vector<ListSlot> all = lists(scene);
+    const auto list = std::find_if(all.begin(), all.end(), [&](const ListSlot& l) { return l.path == one->first; });
+    for (auto i = one->second.rbegin(); i != one->second.rend(); ++i) list->erase(*i);
+  }
+}
+
+void assign_members(const Slots& all, const std::set<std::string>& list_paths, const Tree& tree,
+                    const std::string& prefix) {
+  const bool items = !prefix.empty() && list_paths.contains(prefix.substr(0, prefix.size() - 1));
   for (const auto& [key, value] : *tree.members()) {
     const std::string path = prefix + key;
     if (prefix.empty() && (key == "schema" || key == "model")) continue;
+    if (items && value.is_null()) continue;
+    if (list_paths.contains(path) && value.members()->empty()) continue;
     const std::string below = path + ".";
     const bool inner = std::any_of(all.begin(), all.end(), [&](const Slot& s) { return s.path.starts_with(below); });
-    const bool list = prefix.empty() && (key == "lights" || key == "objects");
-    if (list && value.members()->empty()) continue;
-    if (prefix == "lights." || prefix == "objects.")
-      if (value.is_null()) continue;
     if (value.members() && inner && key.find('.') == key.npos)
-      assign_members(all, value, below);
+      assign_members(all, list_paths, value, below);
+    else if (list_paths.contains(path))
+      continue;  // all its items are taken away
     else if (key.find('.') != key.npos)
       throw InputError(
           path, {"a dot in a key", "キーに点があります"},
@@ -156,9 +191,8 @@ Tree preset_of(const Scene& scene, const fs::path& folder) {
     base = open_model(scene.objects[0].model);
     out.at("model") = name_for(scene.objects[0].model, folder);
   }
-  write_length(out, "objects", base.objects, scene.objects);
-  write_length(out, "lights", base.lights, scene.lights);
   Scene named = scene;  // slots point into it; its meshes stay behind
+  write_lengths(out, base, named);
   for (Scene* s : {&named, &base})
     for (Object& object : s->objects) object.model = name_for(object.model, folder);
   const Slots now = slots(named), before = slots(base);
@@ -172,18 +206,17 @@ Tree preset_of(const Scene& scene, const fs::path& folder) {
 Scene scene_of(const Tree& preset, const std::string& where, const fs::path& folder) {
   check_head(preset, where);
   Scene scene = base_of(preset, where, folder);
-  const ListChange objects = list_change(preset, "objects", scene.objects.size(), object_limit, where);
-  const ListChange lights = list_change(preset, "lights", scene.lights.size(), light_limit, where);
-  scene.objects.resize(objects.length);
-  scene.lights.resize(lights.length);
+  std::vector<std::string> before;
+  for (const Object& object : scene.objects) before.push_back(object.model);
+  const auto removed = add_items(scene, preset, where);
+  before.resize(scene.objects.size());
   try {
-    std::vector<std::string> before;
-    for (const Object& object : scene.objects) before.push_back(object.model);
-    assign_members(slots(scene), preset, "");
+    std::set<std::string> list_paths;
+    for (const ListSlot& list : lists(scene)) list_paths.insert(list.path);
+    assign_members(slots(scene), list_paths, preset, "");
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
       if (std::string& model = scene.objects[i].model; model != before[i]) model = find_model(model, folder);
-    remove(scene.objects, objects.removed);
-    remove(scene.lights, lights.removed);
+    remove_items(scene, removed);
     load_meshes(scene);
   } catch (const InputError& e) {
     refuse(where, e);

@@ -18,23 +18,23 @@ Camera some_camera(Projection p) {
   return c;
 }
 
-TEST(Projector, AgreesWithTheMatricesOfTheCamera) {
+TEST(PictureProjection, AgreesWithTheMatricesOfTheCamera) {
   for (const Projection p : {Projection::perspective, Projection::orthographic}) {
     const Camera c = some_camera(p);
     const glm::dvec3 point(0.3, 0.4, -0.2);
     const glm::dvec4 clip = projection_matrix(c, size.x / size.y) * view_matrix(c) * glm::dvec4(point, 1);
-    const auto seen = Projector(c, size).project(point);
+    const auto seen = PictureProjection(c, size).project(point);
     ASSERT_TRUE(seen);
     EXPECT_NEAR(seen->pixel.x, (clip.x / clip.w + 1) / 2 * size.x, 1e-9);
     EXPECT_NEAR(seen->pixel.y, (1 - clip.y / clip.w) / 2 * size.y, 1e-9);
   }
 }
 
-TEST(Projector, ThereAndBack) {
+TEST(PictureProjection, ThereAndBack) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> d(-1, 1);
   for (const Projection p : {Projection::perspective, Projection::orthographic}) {
-    const Projector projector(some_camera(p), size);
+    const PictureProjection projector(some_camera(p), size);
     for (int i = 0; i < 1000; ++i) {
       const glm::dvec3 point(d(random), d(random), d(random));
       const auto seen = projector.project(point);
@@ -47,8 +47,8 @@ TEST(Projector, ThereAndBack) {
   }
 }
 
-TEST(Projector, NothingBehindTheEye) {
-  const Projector p(Camera{}, size);
+TEST(PictureProjection, NothingBehindTheEye) {
+  const PictureProjection p(Camera{}, size);
   EXPECT_FALSE(p.project({0, 0, 10}));
   EXPECT_FALSE(p.project({std::nan(""), 0, 0}));
   EXPECT_TRUE(p.project({0, 0, -10}));
@@ -122,7 +122,7 @@ TEST(Dragging, TheHandleFollowsTheMouse) {
           found = true;
           if (h.grip == Grip::aim) {  // its length on screen is its own; the direction is what follows
             const glm::dvec3 to_mouse =
-                Projector(scene.camera, size).unproject(before.pixel + moved, before.depth) - spot.position;
+                PictureProjection(scene.camera, size).unproject(before.pixel + moved, before.depth) - spot.position;
             EXPECT_LT(glm::length(glm::cross(unit(to_mouse), unit(after.lights[0].direction))), 1e-12);
           } else {
             EXPECT_LT(glm::length(h.pixel - before.pixel - moved), 1e-6);
