@@ -62,7 +62,7 @@ TEST(LayersTest, SixteenLayersAreTheirFormula) {
   std::uniform_real_distribution<double> unit(0, 1);
   double c = 0.6;
   Vec4<double> composed(c, c, c, 1);
-  for (int i = 0; i < most_layers; ++i) {
+  for (std::size_t i = 0; i < most_layers; ++i) {
     TextureLayer layer;
     layer.blend = LayerBlend(random() % names_of<LayerBlend>.size());
     layer.amount = unit(random), layer.scale = 0.5 + unit(random);

@@ -64,7 +64,7 @@ TEST_F(HemicubePanel, APatchIsChosenInThePicture) {
   settle();
   Place place;
   place.low = {0, 0}, place.high = {400, 400}, place.width = place.height = 400;
-  const Projector projector(app.scene.camera, {400, 400});
+  const PictureProjection projector(app.scene.camera, {400, 400});
   const auto& patches = hemicube_of(app).state().ground->patches.patches;
   int hits = 0;
   for (std::size_t k = 0; k < patches.size(); ++k) {

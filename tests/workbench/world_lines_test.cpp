@@ -17,7 +17,7 @@ TEST(WorldLines, CornersOfTheViewVolume) {
     camera.near_plane = 0.5, camera.far_plane = 20;
     const glm::dvec2 size(300, 200);
     const auto corners = view_volume(camera, 1.5);
-    const Projector projector(camera, size);
+    const PictureProjection projector(camera, size);
     const glm::dvec2 expected[4] = {{0, 200}, {300, 200}, {300, 0}, {0, 0}};
     for (std::size_t i = 0; i < 8; ++i) {
       const auto seen = projector.project(corners[i]);
@@ -33,7 +33,7 @@ TEST(WorldLines, TheOutsideCameraSeesSceneAndCamera) {
     Scene scene = open_scene("teapot");
     scene.camera.position = eye;
     const Camera outside = outside_camera(scene, 1);
-    const Projector projector(outside, {100, 100});
+    const PictureProjection projector(outside, {100, 100});
     const Sphere sphere = bounding_sphere(scene, false);
     for (const glm::dvec3& point : {eye, sphere.centre, sphere.centre + glm::dvec3(sphere.radius, 0, 0)}) {
       const auto seen = projector.project(point);
