@@ -93,9 +93,11 @@ MeshHandle drawn_mesh(const Scene& scene, std::size_t object, const RadiosityFie
 
 SurfaceHandle drawn_surface(const Scene& scene, std::size_t object, const RadiosityField* field) {
   const NormalRule rule = normal_rule(scene.shading);
+  std::vector<UvSet> uv;
+  if constexpr (!only_plain) uv = layer_uv(scene, object, field).sets;
   if (optional(field && field->objects[object].mesh))
-    return surface_cache().get(scene.radiosity_field, object, rule, scene.shading.crease_angle);
-  return surface_cache().get(scene.objects[object].mesh, rule, scene.shading.crease_angle);
+    return surface_cache().get(scene.radiosity_field, object, rule, scene.shading.crease_angle, std::move(uv));
+  return surface_cache().get(scene.objects[object].mesh, rule, scene.shading.crease_angle, std::move(uv));
 }
 
 Scene with_drawn_meshes(Scene scene) {

@@ -29,8 +29,8 @@ AmbientReason ambient_reason(const Scene& scene, DrawnBy by = DrawnBy::light_mod
 // What is drawn of an object: its elements in `field`, or its own mesh. Null where it is not loaded.
 MeshHandle drawn_mesh(const Scene& scene, std::size_t object, const RadiosityField* field);
 
-// The same as a surface, from surface_cache(), with the light of its vertices where the field has some; the mesh is
-// not null.
+// The same as a surface, from surface_cache(), with the light of its vertices where the field has some and the uv that
+// its layers of textures need (layer_uv()); the mesh is not null.
 SurfaceHandle drawn_surface(const Scene& scene, std::size_t object, const RadiosityField* field);
 
 // The scene with the meshes that are drawn: for whoever asks which triangle is which, or draws lines over it.

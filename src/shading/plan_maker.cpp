@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shading/layer_uv.h"
 #include "shading/light_notes.h"
 
 namespace cg {
@@ -136,6 +137,7 @@ void add_general_notes(const Scene& scene, const DrawnCounts& n, const AmbientRe
     ray_traced = ray_traced || (o.visible && (m.k_r != glm::dvec3(0) || m.k_t != glm::dvec3(0)));
   }
   if (ray_traced) p.note(needs_rays_note);
+  for (Text& note : layer_notes(scene, drawn_field(scene))) p.note(std::move(note));
 }
 
 }  // namespace cg

@@ -25,11 +25,12 @@ glm::vec3 in_float(const glm::dvec3& n) {
 }
 
 glm::vec3 within_range(const glm::vec3& v) { return glm::clamp(v, glm::vec3(-1e30f), glm::vec3(1e30f)); }
+glm::vec2 within_range(const glm::dvec2& v) { return glm::vec2(glm::clamp(v, glm::dvec2(-1e30), glm::dvec2(1e30))); }
 
 }  // namespace
 
 SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angle,
-                           const std::vector<glm::vec3>* radiosity) {
+                           const std::vector<glm::vec3>* radiosity, std::span<const CornerUv> uv) {
   const double begin = thread_cpu_ms();
   const auto surface = std::make_shared<Surface>();
   choose_frame(mesh, *surface);
@@ -38,6 +39,8 @@ SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angl
 
   const MeshData& data = mesh.data();
   Numbering vertices(point.size()), lit_vertices(radiosity ? point.size() : 0);
+  std::vector<Numbering> mapped_vertices(uv.size(), Numbering(point.size()));
+  surface->uv.resize(uv.size());
   std::vector<std::uint32_t> vertex(data.corners.size(), no_index);
   const auto vertex_of = [&](std::uint32_t c) {
     if (vertex[c] != no_index) return vertex[c];
@@ -45,7 +48,10 @@ SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angl
     const std::uint32_t next = std::uint32_t(surface->positions.size());
     vertex[c] = rule == NormalRule::face ? next : vertices(BitsAndIndex(normal, point[data.corners[c].position]));
     if (radiosity && rule != NormalRule::face) vertex[c] = lit_vertices(BitsAndIndex((*radiosity)[c], vertex[c]));
+    for (std::size_t s = 0; s < uv.size() && rule != NormalRule::face; ++s)
+      vertex[c] = mapped_vertices[s](BitsAndIndex(glm::dvec3(uv[s][c], 0), vertex[c]));
     if (vertex[c] == next) {
+      for (std::size_t s = 0; s < uv.size(); ++s) surface->uv[s].push_back(within_range(uv[s][c]));
       if (radiosity) surface->radiosity.push_back(within_range((*radiosity)[c]));
       surface->positions.emplace_back((data.positions[data.corners[c].position] - surface->centre) / surface->radius);
       surface->normals.push_back(normal);
@@ -60,6 +66,7 @@ SurfaceHandle make_surface(const Mesh& mesh, NormalRule rule, double crease_angl
     surface->triangle.push_back(std::uint32_t(t));
   }
   surface->positions.shrink_to_fit(), surface->normals.shrink_to_fit(), surface->radiosity.shrink_to_fit();
+  for (auto& set : surface->uv) set.shrink_to_fit();
   surface->made_ms = thread_cpu_ms() - begin;
   return surface;
 }
