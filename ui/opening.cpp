@@ -14,6 +14,7 @@
 #include "workbench/open.h"
 #include "workbench/preset.h"
 #include "workbench/session.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 
@@ -101,6 +102,9 @@ void open_in_window(App& app, std::string what) {
   app.errands->run(app, [what]() -> Errands::Done {
     auto notes = std::make_shared<std::vector<Text>>();
     auto scene = std::make_shared<Scene>(open_scene(what, notes.get()));
+    std::vector<InputError> bad;
+    load_textures(*scene, &bad);
+    for (const InputError& e : bad) notes->push_back({e.message(Language::english), e.message(Language::japanese)});
     return [what, notes, scene](App& a) {
       replace_scene(a, std::move(*scene), what);
       for (const Text& note : *notes) say(a, note);

@@ -33,6 +33,7 @@
 #include "ui/trade_desk.h"
 #include "workbench/environment.h"
 #include "workbench/open.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 namespace {
@@ -223,6 +224,9 @@ void set_parameters(Scene& scene, const std::vector<std::string>& texts) {
 void open_at_start(App& app, const std::string& what) {
   std::vector<Text> notes;
   app.scene = open_scene(what, &notes);
+  std::vector<InputError> bad;
+  load_textures(app.scene, &bad);
+  for (const InputError& e : bad) notes.push_back({e.message(Language::english), e.message(Language::japanese)});
   if (what.ends_with(".json")) app.preset = what;
   add_recent(app.recent, what);
   for (const Text& note : notes) say(app, note);

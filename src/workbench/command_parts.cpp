@@ -10,6 +10,7 @@
 #include "workbench/progress_line.h"
 #include "workbench/scene_radiosity.h"
 #include "workbench/technique_list.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 
@@ -79,6 +80,9 @@ Scene scene_for(const Arguments& a, Language language) {
     std::fprintf(stderr, "shadebench: %s: %s\n", a.scene.c_str(), note.in(language).c_str());
   for (const std::string& set : a.set) set_parameter(scene, set);
   if (!a.set.empty()) load_meshes(scene);
+  std::vector<InputError> bad;
+  load_textures(scene, &bad);
+  if (!bad.empty()) throw bad.front();
   return scene;
 }
 

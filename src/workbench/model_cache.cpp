@@ -1,53 +1,14 @@
 #include "workbench/model_cache.h"
 
-#include <map>
-#include <mutex>
-#include <system_error>
-#include <utility>
-
 #include "params/input_error.h"
 #include "scene/model_file.h"
+#include "workbench/remembered.h"
 
 namespace cg {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-// What tells a file from an older version of itself.
-struct Stamp {
-  fs::file_time_type changed;
-  std::uintmax_t size = 0;
-  friend bool operator==(const Stamp&, const Stamp&) = default;
-};
-
-Stamp stamp_of(const fs::path& file) {
-  std::error_code error;
-  const Stamp stamp{fs::last_write_time(file, error), fs::file_size(file, error)};
-  return error ? Stamp{} : stamp;
-}
-
-// Values that are remembered as long as somebody holds them.
-template <class Key, class T>
-class Remembered {
- public:
-  // `make` is called where nothing is remembered under the key, or something with another stamp. Others wait meanwhile:
-  // they may want the same.
-  template <class Make>
-  std::shared_ptr<const T> get(const Key& key, const Stamp& stamp, Make make) {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = entries_.find(key); known != entries_.end() && known->second.first == stamp)
-      if (auto value = known->second.second.lock()) return value;
-    std::erase_if(entries_, [](const auto& entry) { return entry.second.second.expired(); });
-    std::shared_ptr<const T> value = make();
-    entries_[key] = {stamp, value};
-    return value;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<Key, std::pair<Stamp, std::weak_ptr<const T>>> entries_;
-};
 
 void append(MeshData& to, const MeshData& from) {
   const auto moved = [](std::uint32_t index, std::size_t by) {

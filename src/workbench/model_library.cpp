@@ -8,6 +8,7 @@
 #include "params/numbers.h"
 #include "workbench/data_folder.h"
 #include "workbench/model_cache.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 
@@ -180,6 +181,7 @@ void load_meshes(Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     meshes.push_back(mesh_of(scene.objects[i], "objects." + std::to_string(i)));
   for (std::size_t i = 0; i < meshes.size(); ++i) scene.objects[i].mesh = std::move(meshes[i]);
+  load_textures(scene);
 }
 
 }  // namespace cg

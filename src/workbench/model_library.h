@@ -23,8 +23,9 @@ std::string find_model(const std::string& name, const std::filesystem::path& fol
 // was odd about the file. Throws InputError.
 Scene open_model(const std::string& model, std::vector<Text>* notes = nullptr);
 
-// Gives every object the mesh that its model, part and tessellation stand for: from a cache where the file has not
-// changed. Throws InputError; the scene is unchanged then. May be called from any thread.
+// Gives every object the mesh that its model, part and tessellation stand for, and every layer of textures its picture
+// (load_textures: a bad one is replaced by a placeholder), from a cache where the file has not changed. Throws
+// InputError; the scene is unchanged then. May be called from any thread.
 void load_meshes(Scene& scene);
 
 // The transform that brings a ball of `radius` about `centre` into the unit ball about the origin, in short numbers:

@@ -5,6 +5,7 @@
 #include "workbench/data_folder.h"
 #include "workbench/lesson.h"
 #include "workbench/preset.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 
@@ -34,6 +35,9 @@ void set_parameter(Scene& scene, const std::string& path_and_value) {
   assign_text(find_slot(slots(changed), path), path_and_value.substr(equals + 1));
   for (std::size_t i = 0; i < before.size(); ++i)
     if (std::string& model = changed.objects[i].model; model != before[i].model) model = find_model(model);
+  if (path.ends_with(".image") && path.find("layers.") != path.npos)
+    if (std::string* const image = std::get<std::string*>(find_slot(slots(changed), path).value))
+      *image = find_texture(*image);
   scene = std::move(changed);
 }
 

@@ -9,6 +9,7 @@
 #include "params/input_error.h"
 #include "params/lists.h"
 #include "workbench/model_library.h"
+#include "workbench/texture_library.h"
 
 namespace cg {
 
@@ -27,6 +28,13 @@ std::string name_for(const std::string& model, const fs::path& folder) {
   std::error_code error;
   const fs::path near = path.lexically_relative(fs::absolute(folder, error).lexically_normal());
   return near.empty() || *near.begin() == ".." ? model : near.string();
+}
+
+template <class Do>
+void for_each_layer(Scene& scene, const Do& each) {
+  for (TextureLayer& layer : scene.material.layers) each(layer);
+  for (Object& object : scene.objects)
+    for (TextureLayer& layer : object.material.layers) each(layer);
 }
 
 // Gives the lists of `base` the lengths of those of `scene` and writes what that took: {} for an item more, null for
@@ -193,8 +201,10 @@ Tree preset_of(const Scene& scene, const fs::path& folder) {
   }
   Scene named = scene;  // slots point into it; its meshes stay behind
   write_lengths(out, base, named);
-  for (Scene* s : {&named, &base})
+  for (Scene* s : {&named, &base}) {
     for (Object& object : s->objects) object.model = name_for(object.model, folder);
+    for_each_layer(*s, [&](TextureLayer& layer) { layer.image = name_for(layer.image, folder); });
+  }
   const Slots now = slots(named), before = slots(base);
   // As text, so that -0 and 0 differ and the file reads back the same bits.
   for (std::size_t i = 0; i < now.size(); ++i)
@@ -216,6 +226,7 @@ Scene scene_of(const Tree& preset, const std::string& where, const fs::path& fol
     assign_members(slots(scene), list_paths, preset, "");
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
       if (std::string& model = scene.objects[i].model; model != before[i]) model = find_model(model, folder);
+    for_each_layer(scene, [&](TextureLayer& layer) { layer.image = find_texture(layer.image, folder); });
     remove_items(scene, removed);
     load_meshes(scene);
   } catch (const InputError& e) {
