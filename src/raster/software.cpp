@@ -18,7 +18,7 @@ namespace {
 struct Buffers {
   Drawing drawing;
   VisibilityBuffer visibility;
-  std::size_t sorted = 0;  // bytes, for the threads
+  ThreadsMemory threads;
   DeferredShading<float> float_shading;
   DeferredShading<double> double_shading;
   template <class Real>
@@ -89,7 +89,7 @@ void find_geometry(const Scene& scene, const Plan& plan, const View& view, Worke
   const bool same_size = visibility.width == view.width && visibility.height == view.height;
   const bool kept = optional(gather_objects(scene, view, workers, drawing) && same_size && view.reuse);
   if constexpr (!only_plain) record_surfaces(drawing, kept, record);
-  std::size_t vertices = 0, clipped = 0, sorted = buffers.sorted;
+  std::size_t vertices = 0, clipped = 0;
   const Viewport viewport(view.width, view.height);
   const auto done = [&](std::string id, std::size_t bytes) {
     if (kept)
@@ -106,10 +106,10 @@ void find_geometry(const Scene& scene, const Plan& plan, const View& view, Worke
   workers.done(0.1f);
   if (!kept) {
     visibility.resize(view.width, view.height);
-    buffers.sorted = sorted = find_visible(drawing, workers, visibility);
+    find_visible(drawing, workers, buffers.threads, visibility);
   }
   done("visibility", visibility.bytes());
-  if (optional(workers.threads() > 1)) record.item("bands", sorted, kept);
+  if (optional(workers.threads() > 1)) record.item("bands", buffers.threads.bytes(), kept);
   workers.done(0.6f);
 }
 

@@ -65,10 +65,14 @@ void add_geometry_passes(const View& view, const Counts& n, PlanMaker& p) {
   p.add({"visibility", {"Visibility (z-buffer)", "可視判定（z バッファ）"}}, true,
         counted(n.triangles, " triangles, both faces", " 三角形の両面"), {},
         VisibilityBuffer::bytes(view.width, view.height));
-  Pass& bands = p.add({"bands", {"Triangles by rows", "行ごとの三角形"}, PassKind::resource}, view.threads > 1,
-                      Words{"each thread draws rows of its own", "スレッドごとに別の行を描く"},
-                      Words{"one thread draws all rows", "1 つのスレッドがすべての行を描く"});
-  bands.bytes_open = bands.needed;
+  const bool apart = draws_triangles_apart(n.triangles, view.width, view.height, view.threads);
+  Pass& bands = p.add({"bands", {"Threads' shares", "スレッドの分担"}, PassKind::resource}, view.threads > 1,
+                      apart ? Words{"each thread draws triangles of its own into a picture of its own",
+                                    "スレッドごとに別の三角形を別の画像に描き、最後に重ねる"}
+                            : Words{"each thread draws rows of its own", "スレッドごとに別の行を描く"},
+                      Words{"one thread draws everything", "1 つのスレッドがすべてを描く"},
+                      apart ? std::size_t(view.threads - 1) * VisibilityBuffer::bytes(view.width, view.height) : 0);
+  bands.bytes_open = bands.needed && !apart;
 }
 
 void add_lighting_passes(const Scene& scene, const Counts& n, PlanMaker& p) {

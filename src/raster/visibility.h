@@ -6,6 +6,8 @@
 #pragma once
 #include <tbb/cache_aligned_allocator.h>
 
+#include <span>
+
 #include "raster/drawing.h"
 #include "raster/lanes.h"
 
@@ -25,6 +27,7 @@ class VisibilityBuffer {
  public:
   int width = 0, height = 0;
 
+  static int whole_tiles(int rows);  // rounded up to them
   // Of a picture of that size.
   static std::size_t bytes(int w, int h);
   std::size_t bytes() const { return groups_.capacity() * sizeof(PixelGroup); }
@@ -35,6 +38,7 @@ class VisibilityBuffer {
   void clear(int w, int h);
   int tile_rows() const { return (height + tile_height - 1) / tile_height; }
   void clear_tile_row(int tile_y);
+  std::span<PixelGroup> tile_row(int tile_y);
 
   // The pixels x / 8 * 8 .. + 7 of row y.
   PixelGroup& group(int x, int y) { return groups_[index(x, y)]; }
@@ -55,10 +59,19 @@ class VisibilityBuffer {
   std::vector<PixelGroup, tbb::cache_aligned_allocator<PixelGroup>> groups_;
 };
 
+// What several threads hold beside the picture, kept from picture to picture.
+struct ThreadsMemory {
+  std::vector<VisibilityBuffer> pictures;           // of the threads but the first, where each draws into its own
+  std::vector<std::vector<std::uint32_t>> in_band;  // triangles, by part and by band, where each draws rows of its own
+  std::size_t bytes() const;
+};
+
+// Which of the two ways threads take, by what costs less: triangles of their own, each into a picture of its own.
+bool draws_triangles_apart(std::size_t triangles, int width, int height, int threads);
+
 // Fills `out`, of the picture's size. Of triangles at the same depth the one drawn first stays, as with
 // GL_LESS. Both faces are drawn.
-// Returns the bytes of what it sorted for several threads.
-std::size_t find_visible(const Drawing& drawing, Workers& workers, VisibilityBuffer& out);
+void find_visible(const Drawing& drawing, Workers& workers, ThreadsMemory& memory, VisibilityBuffer& out);
 
 // The same for the pixel (x, y) of a picture of width x height, row 0 at the top: the number of its triangle, or
 // no_triangle.

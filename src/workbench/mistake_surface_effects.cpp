@@ -122,7 +122,8 @@ MistakeEffect no_depth_test_effect(const MistakeScene& s, const View& view) {
   if (!drawing.objects.empty()) {
     VisibilityBuffer nearest, last;
     nearest.resize(view.width, view.height), last.clear(view.width, view.height);
-    find_visible(drawing, workers, nearest);
+    ThreadsMemory memory;
+    find_visible(drawing, workers, memory, nearest);
     find_last(drawing, last);
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x) {

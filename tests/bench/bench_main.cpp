@@ -123,6 +123,7 @@ double limit_of_machine(Run one, const Technique& another, int pairs) {
 
 void against_threads(const char* name, Run one, const Technique& another, int pairs) {
   Run two = one;
+  two.technique = &another;  // which keeps what two threads need from picture to picture
   two.view.threads = 2;
   take_turns(one, two, pairs);
   const double fastest = least(one.wall_ms) / least(two.wall_ms), limit = limit_of_machine(one, another, pairs);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/visibility.h"
 #include "tests/raster/pictures.h"
 
 namespace cg {
@@ -41,6 +42,59 @@ TEST(Software, SameBitsForAnyNumberOfThreadsRunAfterRun) {
           EXPECT_TRUE(same_bits(one, draw(scene, view))) << threads;
         }
       }
+}
+
+// Surfaces that lie in each other, cut by the view volume: at every pixel the first of equal depths must stay, in both
+// ways in which threads share the triangles.
+TEST(Software, OfEqualDepthsTheFirstStaysForAnyNumberOfThreads) {
+  Scene scene = two_tori();
+  for (const std::size_t twin : {0, 1, 0}) scene.objects.push_back(scene.objects[twin]);
+  scene.camera.position = {0.2, 0.9, 1.6};
+  std::size_t triangles = 0;
+  for (const Object& o : scene.objects) triangles += o.mesh->triangles().size();
+  std::array<int, 2> ways{};
+  for (const glm::ivec2 size : {glm::ivec2(211, 143), glm::ivec2(900, 611)}) {
+    View view{size.x, size.y, 1, true, false};
+    const Frame one = draw(scene, view);
+    const auto object = std::max_element(one.object.pixels().begin(), one.object.pixels().end());
+    EXPECT_EQ(*object, 1);
+    for (const int threads : {2, 3, 7}) {
+      view.threads = threads;
+      ++ways[draws_triangles_apart(triangles, size.x, size.y, threads)];
+      EXPECT_TRUE(same_bits(one, draw(scene, view))) << threads << " threads, " << size.x;
+    }
+  }
+  EXPECT_GT(ways[0], 0);
+  EXPECT_GT(ways[1], 0);
+}
+
+// A triangle that the view volume cuts has a number after all others, but its place in the order of drawing: it is the
+// first in its mesh, before others in the same plane.
+TEST(Software, OfEqualDepthsOneThatIsCutStaysForAnyNumberOfThreads) {
+  MeshData mesh;
+  const auto add = [&](double x, double y, double size) {
+    const std::uint32_t first = std::uint32_t(mesh.positions.size());
+    for (const glm::dvec2 to : {glm::dvec2(0, 0), glm::dvec2(size, 0), glm::dvec2(0, size)})
+      mesh.positions.push_back({x + to.x, y + to.y, 0});
+    const std::array<Corner, 3> face{testing::corner(first), testing::corner(first + 1), testing::corner(first + 2)};
+    mesh.add_face(face.data(), face.data() + 3);
+  };
+  add(-50, -50, 200);
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) add(-0.4 + 0.02 * i, -0.4 + 0.02 * j, 0.02);
+  Scene scene = testing::scene_of(Mesh::make(std::move(mesh)));
+  scene.camera.position = {0, 0, 3};
+  for (const int threads : {1, 2, 3, 7}) {
+    const Frame f = draw(scene, {64, 64, threads, true, false});
+    for (const std::int32_t triangle : f.triangle.pixels()) ASSERT_EQ(triangle, 0) << threads;
+  }
+}
+
+TEST(Software, FewerTrianglesThanThreads) {
+  const Scene scene = testing::scene_of(testing::triangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}));
+  ASSERT_TRUE(draws_triangles_apart(1, 3, 3, 2));
+  EXPECT_EQ(testing::covered(draw(scene, {3, 3, 2})), 9u);
+  EXPECT_EQ(testing::covered(draw(scene, {2, 1, 7})), 2u);
 }
 
 TEST(Software, PrecisionChangesLittle) {
