@@ -34,24 +34,56 @@ out uint colour;
 void main() { colour = gl_FrontFacing ? item : item | 0x80000000u; }
 )";
 
-// Where each face stands in the target, R wide and 3 R high, and what clip space's x, y and w are of the frame's x, y
-// and z (radiosity/hemicube.h says how faces lie).
+// Where each face stands in the target, and what clip space's x, y and w are of the frame's x, y and z
+// (radiosity/hemicube.h says how faces lie). Of a staggered frame the rows of the side faces are drawn four times as
+// fine, and of each four samples one is taken.
+constexpr int fine = int(row_stagger.size());
 struct GlFace {
   int x, y, width, height;  // halves of R
   glm::dmat3 clip;          // rows: x, y, w
+  int fine_x, fine_y;       // where it stands when it is finer
+  bool along_x() const { return width > height; }
+  bool is_side() const { return width != height; }
 };
+constexpr glm::ivec2 target_halves(2, 6), fine_target_halves(2 * fine, 2 + 2 * fine);
+// Which of the fine samples of pixel 0 is the row's.
+int fine_sample(int row) { return int((row_stagger[std::size_t(row % fine)] + 0.5) * fine); }
+
 const std::array<GlFace, 5>& gl_faces() {
   const auto rows = [](const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& w) {
     return glm::transpose(glm::dmat3(x, y, w));
   };
   static const std::array<GlFace, 5> faces{{
-      {0, 0, 2, 2, rows({1, 0, 0}, {0, 1, 0}, {0, 0, 1})},
-      {0, 2, 1, 2, rows({1, 0, -2}, {0, 1, 0}, {1, 0, 0})},
-      {1, 2, 1, 2, rows({1, 0, 2}, {0, 1, 0}, {-1, 0, 0})},
-      {0, 4, 2, 1, rows({1, 0, 0}, {0, 1, -2}, {0, 1, 0})},
-      {0, 5, 2, 1, rows({1, 0, 0}, {0, 1, 2}, {0, -1, 0})},
+      {0, 0, 2, 2, rows({1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0, 0},
+      {0, 2, 1, 2, rows({1, 0, -2}, {0, 1, 0}, {1, 0, 0}), 2, 0},
+      {1, 2, 1, 2, rows({1, 0, 2}, {0, 1, 0}, {-1, 0, 0}), 3, 0},
+      {0, 4, 2, 1, rows({1, 0, 0}, {0, 1, -2}, {0, 1, 0}), 0, 2 * fine},
+      {0, 5, 2, 1, rows({1, 0, 0}, {0, 1, 2}, {0, -1, 0}), 0, 2 * fine + 1},
   }};
   return faces;
+}
+
+// Pixels of the target.
+struct Place {
+  int x, y, width, height;
+};
+Place place_of(const GlFace& face, int half, bool staggered) {
+  if (!staggered) return {face.x * half, face.y * half, face.width * half, face.height * half};
+  const int finer_x = face.is_side() && face.along_x() ? fine : 1,
+            finer_y = face.is_side() && !face.along_x() ? fine : 1;
+  return {face.fine_x * half, face.fine_y * half, face.width * half * finer_x, face.height * half * finer_y};
+}
+
+// Of the fine samples of a side face those that stand where its rows' do.
+void take_rows(const GlFace& face, int half, const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& out) {
+  const int width = face.width * half, height = face.height * half;
+  out.resize(std::size_t(width) * std::size_t(height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int at =
+          face.along_x() ? y * fine * width + fine * x + fine_sample(y) : (fine * y + fine_sample(x)) * width + x;
+      out[std::size_t(y * width + x)] = from[std::size_t(at)];
+    }
 }
 
 // Belongs to one context: every call on its thread.
@@ -73,14 +105,15 @@ class Drawer {
  private:
   void make();
   void choose(const std::vector<bool>& drawn);
-  void bind_target(int resolution);
+  void bind_target(const glm::ivec2& size);
 
   std::span<const ItemPolygon> polygons_;
   glm::dvec3 centre_{0};
   double scale_ = 1;
   std::unique_ptr<Program> program_;
   GLuint array_ = 0, buffers_[3] = {0, 0, 0}, framebuffer_ = 0, renderbuffers_[2] = {0, 0};
-  int resolution_ = 0;
+  glm::ivec2 size_{0};
+  std::vector<std::uint32_t> read_;
   bool zero_to_one_ = false;
   std::vector<bool> drawn_;
   GLsizei indices_ = 0;
@@ -128,25 +161,26 @@ void Drawer::choose(const std::vector<bool>& drawn) {
   drawn_ = drawn;
 }
 
-void Drawer::bind_target(int resolution) {
-  if (resolution == resolution_) return;
+void Drawer::bind_target(const glm::ivec2& size) {
+  if (size == size_) return;
   if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_), glGenRenderbuffers(2, renderbuffers_);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   const auto attach = [&](GLuint buffer, GLenum format, GLenum attachment) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, resolution, 3 * resolution);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, size.x, size.y);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
   };
   attach(renderbuffers_[0], GL_R32UI, GL_COLOR_ATTACHMENT0);
   attach(renderbuffers_[1], GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
   check_gl("hemicube target");
-  resolution_ = resolution;
+  size_ = size;
 }
 
 void Drawer::draw(const HemicubeFrame& frame, int resolution, const std::vector<bool>& drawn, ItemFaces& out) {
   if (!program_) make();
   choose(drawn);
-  bind_target(resolution);
+  const int half = resolution / 2;
+  bind_target((frame.staggered ? fine_target_halves : target_halves) * half);
   glDisable(GL_SCISSOR_TEST), glDisable(GL_DITHER), glDisable(GL_BLEND), glDisable(GL_CULL_FACE);
   glFrontFace(GL_CW);  // the cross shows the hemisphere's inside with x to the right: as in a mirror
   glEnable(GL_DEPTH_TEST);
@@ -160,11 +194,11 @@ void Drawer::draw(const HemicubeFrame& frame, int resolution, const std::vector<
   program_->set("near", zero_to_one_ ? 1e-6f : 1e-4f);
   program_->set("zero_to_one", zero_to_one_ ? 1.0f : 0.0f);
   const glm::dmat3 to_frame = glm::transpose(glm::dmat3(frame.x, frame.y, frame.z));
-  const int half = resolution / 2;
   glEnable(GL_SCISSOR_TEST);
   for (const GlFace& face : gl_faces()) {
-    glViewport(face.x * half, face.y * half, face.width * half, face.height * half);
-    glScissor(face.x * half, face.y * half, face.width * half, face.height * half);
+    const Place at = place_of(face, half, frame.staggered);
+    glViewport(at.x, at.y, at.width, at.height);
+    glScissor(at.x, at.y, at.width, at.height);
     // The scene is moved against the samples.
     glm::dmat3 beside(1);
     beside[2][0] = -2 * frame.beside_s / (face.width * half), beside[2][1] = -2 * frame.beside_t / (face.height * half);
@@ -173,9 +207,12 @@ void Drawer::draw(const HemicubeFrame& frame, int resolution, const std::vector<
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
     const GlFace& face = gl_faces()[f];
-    out[f].resize(std::size_t(face.width * half) * std::size_t(face.height * half));
-    glReadPixels(face.x * half, face.y * half, face.width * half, face.height * half, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                 out[f].data());
+    const Place at = place_of(face, half, frame.staggered);
+    const bool staggered = frame.staggered && face.is_side();
+    std::vector<std::uint32_t>& pixels = staggered ? read_ : out[f];
+    pixels.resize(std::size_t(at.width) * std::size_t(at.height));
+    glReadPixels(at.x, at.y, at.width, at.height, GL_RED_INTEGER, GL_UNSIGNED_INT, pixels.data());
+    if (staggered) take_rows(face, half, read_, out[f]);
   }
   check_gl("hemicube");
 }

@@ -17,7 +17,16 @@ HemicubeFrame hemicube_frame(const glm::dvec3& position, const glm::dvec3& norma
   constexpr double golden_slope = 0.55357435889704525;  // atan((sqrt(5) - 1) / 2)
   const double angle = golden_slope + pi / 2 * double(number) / (double(samples) * samples);
   const glm::dvec3 turned = std::cos(angle) * x + std::sin(angle) * y;
-  return {position, turned, glm::cross(normal, turned), normal};
+  return {position, turned, glm::cross(normal, turned), normal, 0, 0, true};
+}
+
+FacePoint<double> sample_point(const HemicubeFrame& frame, HemicubeFace face, int x, int y, int resolution) {
+  const double pixel = 2.0 / resolution;
+  FacePoint<double> p = pixel_centre(face, x, y, resolution);
+  p.s += pixel * frame.beside_s, p.t += pixel * frame.beside_t;
+  if (frame.staggered && crosses_in_s(face)) p.t += pixel * row_stagger[std::size_t(x) % row_stagger.size()];
+  if (frame.staggered && crosses_in_t(face)) p.s += pixel * row_stagger[std::size_t(y) % row_stagger.size()];
+  return p;
 }
 
 glm::dvec3 on_cube(HemicubeFace face, const FacePoint<double>& p) {

@@ -23,7 +23,10 @@ namespace cg {
 // parallel to the normal, laid into the plane. Its samples stand a little beside the middles of the pixels, as there
 // edges run exactly through those: so each of them belongs to one side.
 //
-// Samples do not stand farther beside, as a pixel's weight is that of its middle: an error of its own, also 1/R.
+// Edges that are parallel to the normal run up the side faces however a hemicube is turned. There the samples of four
+// rows stand aside in turn, so that such an edge is seen at four places in its pixels: what is left is an eighth of a
+// pixel, not half of one (Peter Shirley, Discrepancy as a Quality Measure for Sample Distributions, 1991: N-rooks). On
+// average they do not stand aside, as a pixel's weight is that of its middle: an error of its own, also 1/R.
 HemicubeFrame hemicube_frame(const glm::dvec3& position, const glm::dvec3& normal, std::size_t number = 0,
                              int samples = 1);
 
@@ -67,6 +70,8 @@ void project_to_face(HemicubeFace face, const Real& x, const Real& y, const Real
       break;
   }
 }
+// Where the sample of a pixel of the face stands.
+FacePoint<double> sample_point(const HemicubeFrame& frame, HemicubeFace face, int x, int y, int resolution);
 // The coefficients of n . d = a s + b t + c for the directions d to the points of a face.
 template <class Real>
 void on_face(HemicubeFace face, const Real& x, const Real& y, const Real& z, Real& a, Real& b, Real& c) {

@@ -62,9 +62,7 @@ std::optional<CrossPixel> cross_pixel(int x, int y, int resolution) {
 }
 
 glm::dvec3 pixel_direction(const HemicubeView& view, const CrossPixel& pixel) {
-  FacePoint<double> p = pixel_centre(pixel.face, pixel.x, pixel.y, view.resolution);
-  p.s += 2 * view.frame.beside_s / view.resolution, p.t += 2 * view.frame.beside_t / view.resolution;
-  const glm::dvec3 d = on_cube(pixel.face, p);
+  const glm::dvec3 d = on_cube(pixel.face, sample_point(view.frame, pixel.face, pixel.x, pixel.y, view.resolution));
   return unit(d.x * view.frame.x + d.y * view.frame.y + d.z * view.frame.z);
 }
 

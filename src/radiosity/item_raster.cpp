@@ -170,7 +170,8 @@ struct Face {
   ItemTile* tiles;
   int across, width, height;
   float scale, low_s, low_t;  // pixels in a unit; where pixel 0 begins
-  float beside_s, beside_t;   // of the samples, in pixels
+  float beside_s, beside_t;   // of the samples, in pixels,
+  float aside_s, aside_t;     // and so much more or less
   // Of each column and row of tiles: s and t of its sixteen samples.
   const Samples *s, *t;
 };
@@ -187,10 +188,10 @@ void set_pixels(const Face& face, WideFloats& low_s, WideFloats& low_t, WideFloa
                 OnFace& out) {
   // Sample i stands at i + 1/2, and a little beside.
   constexpr float up = 0.5f - box_margin, down = box_margin - 0.5f;
-  low_s = (low_s - face.low_s) * face.scale + (up - face.beside_s);
-  low_t = (low_t - face.low_t) * face.scale + (up - face.beside_t);
-  high_s = (high_s - face.low_s) * face.scale + (down - face.beside_s);
-  high_t = (high_t - face.low_t) * face.scale + (down - face.beside_t);
+  low_s = (low_s - face.low_s) * face.scale + (up - face.beside_s - face.aside_s);
+  low_t = (low_t - face.low_t) * face.scale + (up - face.beside_t - face.aside_t);
+  high_s = (high_s - face.low_s) * face.scale + (down - face.beside_s + face.aside_s);
+  high_t = (high_t - face.low_t) * face.scale + (down - face.beside_t + face.aside_t);
   make_whole(low_s, 0, face.width, out.low_x), make_whole(high_s, -1, face.width - 1, out.high_x);
   make_whole(low_t, 0, face.height, out.low_y), make_whole(high_t, -1, face.height - 1, out.high_y);
 }
@@ -298,9 +299,14 @@ void draw_group(const Face& face, const Seen& seen, Bits wanted, std::uint32_t f
 }
 
 // Of all columns (or rows) of tiles, from `low` on.
-CacheAligned<Samples> samples_of(int tiles, float low, float pixel, float beside, bool rows) {
+CacheAligned<Samples> samples_of(int tiles, float low, float pixel, float beside, bool rows, bool staggered = false) {
+  static_assert(row_stagger.size() == tile_side);
   WideFloats in_tile;
-  for (int i = 0; i < wide; ++i) in_tile[i] = float(rows ? i / tile_side : i % tile_side);
+  for (int i = 0; i < wide; ++i) {
+    const int column = i % tile_side, row = i / tile_side;
+    in_tile[i] = float(rows ? row : column);
+    if (staggered) in_tile[i] += float(row_stagger[std::size_t(rows ? column : row)]);
+  }
   CacheAligned<Samples> out(static_cast<std::size_t>(tiles));
   for (int i = 0; i < tiles; ++i)
     out[std::size_t(i)].at = low + (in_tile + (float(i * tile_side) + 0.5f + beside)) * pixel;
@@ -309,17 +315,21 @@ CacheAligned<Samples> samples_of(int tiles, float low, float pixel, float beside
 
 struct AllSamples {
   CacheAligned<Samples> along_s, across_s, along_t, across_t;  // from -1 on, or across a side face from 0
-  AllSamples(int resolution, float beside_s, float beside_t) {
+  CacheAligned<Samples> side_s, side_t;                        // along the side faces
+  AllSamples(int resolution, float beside_s, float beside_t, bool staggered) {
     const int tiles = (resolution + tile_side - 1) / tile_side;
     const float pixel = 2.0f / float(resolution);
     along_s = samples_of(tiles, -1, pixel, beside_s, false), across_s = samples_of(tiles, 0, pixel, beside_s, false);
     along_t = samples_of(tiles, -1, pixel, beside_t, true), across_t = samples_of(tiles, 0, pixel, beside_t, true);
+    side_s = samples_of(tiles, -1, pixel, beside_s, false, staggered);
+    side_t = samples_of(tiles, -1, pixel, beside_t, true, staggered);
   }
 };
 
 Face face_of(HemicubeFace f, int resolution, const HemicubeFrame& frame, const AllSamples& samples,
              HemicubeItems& items) {
   const bool s = crosses_in_s(f), t = crosses_in_t(f);
+  const float aside = frame.staggered ? float(row_stagger.back()) : 0;
   return {items.tiles(f),
           FaceTiles(f, resolution).across,
           face_width(f, resolution),
@@ -329,8 +339,16 @@ Face face_of(HemicubeFace f, int resolution, const HemicubeFrame& frame, const A
           t ? 0.0f : -1.0f,
           float(frame.beside_s),
           float(frame.beside_t),
-          (s ? samples.across_s : samples.along_s).data(),
-          (t ? samples.across_t : samples.along_t).data()};
+          t ? aside : 0,
+          s ? aside : 0,
+          (s   ? samples.across_s
+           : t ? samples.side_s
+               : samples.along_s)
+              .data(),
+          (t   ? samples.across_t
+           : s ? samples.side_t
+               : samples.along_t)
+              .data()};
 }
 
 }  // namespace
@@ -339,7 +357,7 @@ void ItemScene::draw(const HemicubeFrame& frame, const Horizon& horizon, int res
                      std::vector<std::uint16_t>& fronts) const {
   items.clear(resolution);
   fronts.resize(groups_.size());
-  const AllSamples samples(resolution, float(frame.beside_s), float(frame.beside_t));
+  const AllSamples samples(resolution, float(frame.beside_s), float(frame.beside_t), frame.staggered);
   std::array<Face, 5> faces;
   for (const HemicubeFace f : hemicube_faces) faces[std::size_t(f)] = face_of(f, resolution, frame, samples, items);
   const glm::dvec3 at = to_unit_(frame.position);

@@ -19,7 +19,13 @@ struct HemicubeFrame {
   glm::dvec3 position{0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   // Where in its pixel a sample stands, from the middle of the unfolded face's pixel: -1/2..1/2.
   double beside_s = 0, beside_t = 0;
+  // The samples of the side faces' rows stand aside in turn, by row_stagger.
+  bool staggered = false;
 };
+
+// Of a side face's rows of pixels one above the other, counted from pixel 0: how far their samples stand aside, in
+// pixels along the row.
+inline constexpr std::array<double, 4> row_stagger{-0.375, 0.125, -0.125, 0.375};
 
 // A convex polygon, counter-clockwise seen from the front; a triangle repeats its last corner.
 using ItemPolygon = std::array<glm::dvec3, 4>;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "math/transform.h"
 
 namespace cg {
@@ -82,6 +84,30 @@ TEST(Hemicube, FramesAreRightHanded) {
         EXPECT_NEAR(glm::dot(f.x, f.z), 0, 1e-14);
         EXPECT_NEAR(glm::length(glm::cross(f.x, f.y) - f.z), 0, 1e-14);
       }
+}
+
+// What stands upright is seen at four places of its pixels, and on average at their middles.
+TEST(Hemicube, RowsOfTheSidesStandAside) {
+  const HemicubeFrame one = hemicube_frame(glm::dvec3(0), {0, 0, 1}),
+                      many = hemicube_frame(glm::dvec3(0), {0, 0, 1}, 0, 4);
+  EXPECT_FALSE(one.staggered);
+  EXPECT_TRUE(many.staggered);
+  for (const HemicubeFace f : hemicube_faces) {
+    const bool across = crosses_in_s(f);
+    std::vector<double> at;
+    for (int row = 0; row < 4; ++row) {
+      const int x = across ? row : 5, y = across ? 5 : row;
+      const FacePoint<double> middle = pixel_centre(f, x, y, 32), sample = sample_point(many, f, x, y, 32);
+      EXPECT_EQ(across ? sample.s : sample.t, across ? middle.s : middle.t);
+      at.push_back(16 * (across ? sample.t - middle.t : sample.s - middle.s));  // in pixels
+    }
+    if (f == HemicubeFace::top) {
+      for (const double aside : at) EXPECT_EQ(aside, 0);
+      continue;
+    }
+    std::sort(at.begin(), at.end());
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(at[std::size_t(k)], (k - 1.5) / 4, 1e-12);
+  }
 }
 
 // By equal steps of a quarter turn; one alone stands along the axes.
