@@ -24,6 +24,7 @@ class Direct final : public Iteration {
   explicit Direct(std::shared_ptr<const SolverData> data) : data_(std::move(data)), b_(data_->emission) {}
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Direct>(*this); }
+  void become(const Iteration& other) override { *this = static_cast<const Direct&>(other); }
   std::size_t bytes() const override { return b_.bytes(); }
   std::size_t steps_a_sweep() const override { return 1; }
   std::optional<Standing> standing() const override { return standing_; }

@@ -29,10 +29,13 @@ class Gather final : public Iteration {
         gauss_seidel_(gauss_seidel),
         b_(data_->emission),
         next_(gauss_seidel ? Channels() : Channels(b_.size())),
-        change_(b_.size()) {}
+        change_(b_.size(), glm::dvec3(0)) {}
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Gather>(*this); }
-  std::size_t bytes() const override { return (gauss_seidel_ ? 2 : 3) * b_.bytes(); }
+  void become(const Iteration& other) override { *this = static_cast<const Gather&>(other); }
+  std::size_t bytes() const override {
+    return (gauss_seidel_ ? 1 : 2) * b_.bytes() + change_.size() * sizeof(glm::dvec3);
+  }
   std::size_t steps_a_sweep() const override { return b_.size(); }
   std::optional<Standing> standing() const override { return standing_; }
   std::optional<std::size_t> active() const override { return row_; }
@@ -43,7 +46,7 @@ class Gather final : public Iteration {
     const glm::dvec3 value = data_->emission[i] + data_->reflectance[i] * received(rows, progress);
     const glm::dvec3 change = value - b_[i];
     growth_.see(change_[i], change);
-    change_.set(i, change);
+    change_[i] = change;
     largest_change_ = std::max(largest_change_, largest(glm::abs(change)));
     brightest_ = std::max(brightest_, largest(value));
     (gauss_seidel_ ? b_ : next_).set(i, value);
@@ -79,8 +82,8 @@ class Gather final : public Iteration {
 
   std::shared_ptr<const SolverData> data_;
   bool gauss_seidel_;
-  Channels b_, next_;  // next_: of the sweep that is under way, Jacobi's
-  Channels change_;    // of each patch, when it was last computed
+  Channels b_, next_;               // next_: of the sweep that is under way, Jacobi's
+  std::vector<glm::dvec3> change_;  // of each patch, when it was last computed
   std::size_t row_ = 0;
   std::array<glm::dvec3, at_once> ahead_{};    // of the rows that were multiplied at once
   double largest_change_ = 0, brightest_ = 0;  // of this sweep

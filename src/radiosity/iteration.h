@@ -20,7 +20,8 @@ class Iteration {
  public:
   virtual ~Iteration() = default;
   virtual std::unique_ptr<Iteration> copy() const = 0;
-  virtual std::size_t bytes() const = 0;  // of a copy
+  virtual void become(const Iteration& other) = 0;  // a copy of one of its own kind and size, in the memory it has
+  virtual std::size_t bytes() const = 0;            // of a copy
 
   // Throws Cancelled, and then nothing has changed.
   virtual void step(RowSource& rows, Progress& progress) = 0;
@@ -38,6 +39,7 @@ class Iteration {
  protected:
   Iteration() = default;
   Iteration(const Iteration&) = default;
+  Iteration& operator=(const Iteration&) = default;
 };
 
 // What does not change while it is solved, shared by the copies.

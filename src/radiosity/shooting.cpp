@@ -29,6 +29,7 @@ class Shooting final : public Iteration {
   }
 
   std::unique_ptr<Iteration> copy() const override { return std::make_unique<Shooting>(*this); }
+  void become(const Iteration& other) override { *this = static_cast<const Shooting&>(other); }
   std::size_t bytes() const override { return 3 * b_.bytes(); }
   std::size_t steps_a_sweep() const override { return b_.size(); }
   std::optional<Standing> standing() const override { return standing_; }

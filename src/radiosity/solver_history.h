@@ -15,6 +15,7 @@ class SolverHistory {
   // Nothing from now on.
   void close() {
     states_.clear();
+    spare_.reset();
     closed_ = true;
   }
 
@@ -23,7 +24,7 @@ class SolverHistory {
     if (closed_) return;
     forget_after(step);
     if (!states_.empty() && states_.back().step == step) return;
-    states_.push_back({step, seconds, iteration.copy()});
+    states_.push_back({step, seconds, copy_of(iteration)});
     bytes_ += iteration.bytes();
     thin();
   }
@@ -50,15 +51,25 @@ class SolverHistory {
       const std::size_t span = states_[i + 1].step - states_[i - 1].step, age = now - states_[i + 1].step;
       span <= age / 2 ? erase(i) : void(++i);
     }
-    while (bytes_ > most_bytes && states_.size() > 2) erase(1);
+    const auto held = [&] { return bytes_ + (spare_ ? spare_->bytes() : 0); };
+    while (held() > most_bytes && states_.size() > 2) erase(1);
+  }
+
+  // In the memory of the state that was forgotten last: fresh memory costs more than to copy.
+  std::unique_ptr<Iteration> copy_of(const Iteration& iteration) {
+    if (!spare_) return iteration.copy();
+    spare_->become(iteration);
+    return std::move(spare_);
   }
 
   void erase(std::size_t i) {
     bytes_ -= states_[i].iteration->bytes();
+    spare_ = std::move(states_[i].iteration);
     states_.erase(states_.begin() + std::ptrdiff_t(i));
   }
 
   std::vector<State> states_;
+  std::unique_ptr<Iteration> spare_;
   std::size_t bytes_ = 0;
   bool closed_ = false;
 };
