@@ -71,6 +71,31 @@ class LightQueue {
   int count_ = 0;
 };
 
+// Where light is computed at the vertices, so are the numbers that layers give it: their pictures as they are, at level
+// 0, since a vertex has no size.
+template <class Real>
+class LayeredVertex {
+ public:
+  LayeredVertex(const DeferredShading<Real>& shading, const ObjectShading<Real>& object, const Surface& surface)
+      : shading_(shading), object_(object), surface_(surface) {}
+
+  // P, N and B as for LightQueue.
+  Vec3<Real> light(std::size_t vertex, const Vec3<Real>& P, const Vec3<Real>& N, const Vec3<Real>& B) const {
+    SurfaceNumbers<Real> s{object_.material};
+    for (const ShadedLayer<Real>& l : object_.before_light) {
+      const Vec2<Real> uv = l.transform.point(Vec2<Real>(surface_.uv[l.set][vertex]));
+      apply(*l.layer, texture_at_level(*l.layer->texture, l.layer->sampling, uv, Real(0)), s);
+    }
+    s.material.emission += B;
+    return light_point(shading_.lighting, s.material, P, object_.normals.normalize ? unit(N) : N);
+  }
+
+ private:
+  const DeferredShading<Real>& shading_;
+  const ObjectShading<Real>& object_;
+  const Surface& surface_;
+};
+
 }  // namespace
 
 template <class Real>
@@ -118,6 +143,8 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
     workers.for_each(part_count(count, vertices_a_part), [&](int i) {
       const Part part = part_of(count, vertices_a_part, i);
       LightQueue<Real> queue(s);
+      const LayeredVertex<Real> layered(shading, s, surface);
+      const bool layers = optional(!s.before_light.empty());
       for (std::size_t k = part.begin; k < part.end; ++k) {
         const bool front = v.front_seen[k] != 0, back = two_sided && v.back_seen[k] != 0;
         if (!front && !back) continue;
@@ -129,6 +156,11 @@ void shade_vertices(const Drawing& drawing, Workers& workers, DeferredShading<Re
           if (normal) v.N[k] = N;
         } else {
           if (radiosity) B = Vec3<Real>(surface.radiosity[k]);
+          if (layers) {
+            if (front) v.front[k] = layered.light(k, P, N, B);
+            if (back) v.back[k] = layered.light(k, P, -N, B);
+            continue;
+          }
           if (front) queue.add(P, N, B, v.front[k]);
           if (back) queue.add(P, -N, B, v.back[k]);
         }

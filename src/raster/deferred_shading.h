@@ -3,6 +3,7 @@
 #pragma once
 #include "raster/visibility.h"
 #include "shading/eye_normal.h"
+#include "shading/layers.h"
 #include "shading/light_batch.h"
 
 namespace cg {
@@ -16,11 +17,23 @@ struct ShadedVertices {
   std::vector<std::uint8_t> front_seen, back_seen;  // 1: of a front face, of a back face; the latter as `back`
 };
 
+// A layer of textures that an object is drawn with.
+template <class Real>
+struct ShadedLayer {
+  const TextureLayer* layer;
+  std::size_t set;  // of Surface::uv
+  TextureTransform<Real> transform;
+};
+
 // What of an object the light model needs.
 template <class Real>
 struct ObjectShading {
-  LightBatch<Real> light;
+  LightBatch<Real> light;  // where layers change the material: what it may become
   NormalTransform<Real> normals;
+  EyeMaterial<Real> material;
+  // In the order in which they are applied: what is given to the light, what is made of its colour, and, where alpha is
+  // tested, what makes alpha.
+  std::vector<ShadedLayer<Real>> before_light, after_light, opacity;
   ShadedVertices<Real> vertices;
 };
 
@@ -29,6 +42,7 @@ struct DeferredShading {
   ShadingMode mode;
   EyeLighting<Real> lighting;
   bool uses_position, uses_normal;           // whether the light on some object depends on P, on N
+  bool uses_layers;                          // whether some object has layers of textures
   bool uses_radiosity;                       // whether some object's vertices bring light of a radiosity solution
   std::vector<ObjectShading<Real>> objects;  // as in Drawing
   std::vector<std::uint8_t> seen;            // 1 for each triangle that a pixel shows, by Drawing's numbers

@@ -2,6 +2,7 @@
 
 #include "scene/pass_recorder.h"
 #include "shading/ambient_term.h"
+#include "shading/layer_uv.h"
 
 namespace cg {
 
@@ -21,8 +22,10 @@ bool gather_objects(const Scene& scene, const View& view, Workers& workers, Draw
     if (!can_be_placed(glm::mat4(to_eye), to_clip)) continue;
     if (used == drawing.objects.size()) drawing.objects.emplace_back();
     DrawnObject& o = drawing.objects[used++];
-    same = same && o.index == int(i) && o.surface == surface && o.to_eye == to_eye && o.to_clip == to_clip;
-    o.index = int(i), o.surface = std::move(surface), o.to_eye = to_eye, o.to_clip = to_clip;
+    const bool tested = optional(tests_alpha(scene, i, field));
+    same = same && o.index == int(i) && o.surface == surface && o.to_eye == to_eye && o.to_clip == to_clip &&
+           o.tested == tested && !tested;
+    o.index = int(i), o.surface = std::move(surface), o.to_eye = to_eye, o.to_clip = to_clip, o.tested = tested;
   }
   same = same && used == drawing.objects.size();
   drawing.objects.resize(used);

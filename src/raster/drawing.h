@@ -20,6 +20,7 @@ struct DrawnObject {
   std::vector<WindowVertex> vertices;
   std::vector<ClippedTriangle> clipped;
   std::uint32_t first = 0, end = 0;
+  bool tested = false;  // not opaque everywhere: find_visible() leaves it to test_alpha()
 
   bool is_clipped(std::uint32_t id) const { return id - first >= surface->triangle_count(); }
   const ClippedTriangle& clipped_triangle(std::uint32_t id) const {

@@ -46,6 +46,27 @@ class TriangleWeights {
     const Number s = Real(1) / (sum != Real(0) ? sum : one);
     out.a = aw * s, out.b = bw * s, out.c = cw * s;
   }
+  // The weights of the second and the third vertex, and how they change to the pixel to the right (dx) and above (dy):
+  // the derivatives at the pixel. Not `perspective`: linear over the picture.
+  template <class Number>
+  struct Slopes {
+    Number b, c, b_dx, b_dy, c_dx, c_dy;
+  };
+  template <class Number>
+  void at(const Number& x, Real y, bool perspective, Slopes<Number>& out) const {
+    const Number px = x - x_;
+    const Real py = y - y_;
+    const Number zero{}, b = px * b_dx_ + py * b_dy_, c = px * c_dx_ + py * c_dy_;
+    out = {b, c, zero + b_dx_, zero + b_dy_, zero + c_dx_, zero + c_dy_};
+    if (!perspective) return;
+    const Real to_b = w_b_ - w_a_, to_c = w_c_ - w_a_;
+    const Number sum = w_a_ + b * to_b + c * to_c, one = zero + Real(1);
+    const Number s = Real(1) / (sum != Real(0) ? sum : one);
+    out.b = b * w_b_ * s, out.c = c * w_c_ * s;
+    const Real sum_dx = b_dx_ * to_b + c_dx_ * to_c, sum_dy = b_dy_ * to_b + c_dy_ * to_c;
+    out.b_dx = (b_dx_ * w_b_ - out.b * sum_dx) * s, out.b_dy = (b_dy_ * w_b_ - out.b * sum_dy) * s;
+    out.c_dx = (c_dx_ * w_c_ - out.c * sum_dx) * s, out.c_dy = (c_dy_ * w_c_ - out.c * sum_dy) * s;
+  }
   Vec3<Real> at(int x, int y) const {
     Weights<Real> w;
     at(Real(x), Real(y), w);

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "params/input_error.h"
+#include "raster/alpha_test.h"
 #include "raster/frame_layers.h"
 #include "raster/pixel_shading.h"
 #include "raster/software_plan.h"
 #include "raster/software_trace.h"
 #include "shading/ambient_term.h"
+#include "shading/layer_uv.h"
 
 namespace cg {
 
@@ -113,6 +115,33 @@ void find_geometry(const Scene& scene, const Plan& plan, const View& view, Worke
   workers.done(0.6f);
 }
 
+// The layers of textures that the object is drawn with, by when they are applied.
+template <class Real>
+void begin_layers(const Scene& scene, std::size_t object, DeferredShading<Real>& shading, ObjectShading<Real>& s) {
+  const LayerUv uv = layer_uv(scene, object, drawn_field(scene));
+  for (std::size_t i = 0; i < uv.layers.size(); ++i) {
+    const TextureLayer& layer = *uv.layers[i];
+    auto& list = layer.target == LayerTarget::opacity  ? s.opacity
+                 : layer.target == LayerTarget::colour ? s.after_light
+                                                       : s.before_light;
+    list.push_back({&layer, std::size_t(uv.set_of_layer[i]), TextureTransform<Real>(layer.matrix)});
+    shading.uses_layers = shading.uses_layers || layer.target != LayerTarget::opacity;
+  }
+}
+
+template <class Real>
+EyeMaterial<Real> changeable(const ObjectShading<Real>& s) {
+  std::vector<const TextureLayer*> layers;
+  for (const ShadedLayer<Real>& l : s.before_light) layers.push_back(l.layer);
+  return changeable(s.material, layers);
+}
+
+template <class Real>
+bool has_bumps(const ObjectShading<Real>& s) {
+  const auto bump = [](const ShadedLayer<Real>& l) { return l.layer->target == LayerTarget::normal; };
+  return std::any_of(s.before_light.begin(), s.before_light.end(), bump) && s.light.uses_normal();
+}
+
 template <class Real>
 void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing, DeferredShading<Real>& shading) {
   shading.mode = plan.runs("face-lighting")     ? ShadingMode::flat
@@ -122,16 +151,20 @@ void begin_shading(const Scene& scene, const Plan& plan, const Drawing& drawing,
   shading.lighting.local_viewer = plan.runs("local-viewer");
   shading.lighting.two_sided = plan.runs("two-sides");
   shading.lighting.clamp = plan.runs("clamp");
-  shading.uses_position = shading.uses_normal = shading.uses_radiosity = false;
+  shading.uses_position = shading.uses_normal = shading.uses_radiosity = shading.uses_layers = false;
   shading.objects.resize(drawing.objects.size());
   for (std::size_t k = 0; k < drawing.objects.size(); ++k) {
     const Object& object = scene.objects[std::size_t(drawing.objects[k].index)];
     ObjectShading<Real>& s = shading.objects[k];
     const Surface& surface = *drawing.objects[k].surface;
-    s.light =
-        LightBatch<Real>(shading.lighting, drawn_material<Real>(scene, object, surface), !surface.radiosity.empty());
+    s.material = drawn_material<Real>(scene, object, surface);
+    s.before_light.clear(), s.after_light.clear(), s.opacity.clear();
+    if (optional(!material_of(scene, object).layers.empty()))
+      begin_layers(scene, std::size_t(drawing.objects[k].index), shading, s);
+    s.light = LightBatch<Real>(shading.lighting, optional(!s.before_light.empty()) ? changeable(s) : s.material,
+                               !surface.radiosity.empty());
     s.normals = normals_to_eye<Real>(view_matrix(scene.camera) * matrix(object.transform), scene.shading.normal_length);
-    shading.uses_position = shading.uses_position || s.light.uses_position();
+    shading.uses_position = shading.uses_position || s.light.uses_position() || optional(has_bumps(s));
     shading.uses_normal = shading.uses_normal || s.light.uses_normal();
     shading.uses_radiosity = shading.uses_radiosity || s.light.uses_radiosity();
   }
@@ -144,7 +177,14 @@ void shade(const Scene& scene, const Plan& plan, Workers& workers, PassRecorder&
   const Drawing& drawing = buffers.drawing;
   DeferredShading<Real>& shading = buffers.template shading<Real>();
   begin_shading(scene, plan, drawing, shading);
-  if constexpr (!only_plain) record_parts(drawing, shading, record);
+  if constexpr (!only_plain) {
+    record_parts(drawing, shading, record);
+    record_layers(drawing, shading, record);
+  }
+  if (optional(plan.runs("alpha-test"))) {
+    test_alpha(drawing, shading, scene.shading.alpha_threshold, workers, buffers.visibility);
+    record.pass("alpha-test");
+  }
   mark_visible_vertices(drawing, buffers.visibility, workers, shading);
   if constexpr (!only_plain) record_marks(drawing, shading, record);
   shade_vertices(drawing, workers, shading);

@@ -1,6 +1,7 @@
 #include "raster/software_plan.h"
 
 #include "raster/deferred_shading.h"
+#include "shading/layer_uv.h"
 #include "shading/plan_maker.h"
 
 namespace cg {
@@ -11,6 +12,12 @@ struct Counts : DrawnCounts {
   AmbientReason ambient;
   std::size_t pixels = 0;
   bool crosses = false;  // something reaches out of the view volume
+  std::size_t layers = 0, picture_bytes = 0;
+  std::vector<const TextureImage*> pictures;  // each once
+  bool bumps = false;                         // some object's light depends on a picture's normals
+  bool tests_alpha = false;
+
+  void add(const Scene& scene, std::size_t object, const RadiosityField* field, const LayerUv& uv);
 };
 
 // Does the box around the mesh reach out of the view volume, or nearly? Rounding must not decide, hence the margin.
@@ -23,6 +30,16 @@ bool reaches_out(const Mesh& mesh, const glm::dmat4& to_clip) {
     if (!(largest < c.w * (1 - 1e-3))) return true;
   }
   return false;
+}
+
+void Counts::add(const Scene& scene, std::size_t object, const RadiosityField* field, const LayerUv& uv) {
+  tests_alpha = tests_alpha || cg::tests_alpha(scene, object, field);
+  for (const TextureLayer* layer : uv.layers) {
+    ++layers;
+    if (std::find(pictures.begin(), pictures.end(), layer->texture.get()) != pictures.end()) continue;
+    pictures.push_back(layer->texture.get());
+    picture_bytes += layer->texture->bytes();
+  }
 }
 
 template <class Real>
@@ -47,8 +64,13 @@ Counts count(const Scene& scene, const View& view) {
       ++n.unplaced;
       continue;
     }
-    n.add(surface);
-    n.parts |= light_parts(lighting, drawn_material<Real>(scene, o, *surface));
+    n.DrawnCounts::add(surface);
+    const LayerUv uv = layer_uv(scene, i, field);
+    n.add(scene, i, field, uv);
+    const LightParts parts = light_parts(lighting, changeable(drawn_material<Real>(scene, o, *surface), uv.layers));
+    n.parts |= parts;
+    for (const TextureLayer* layer : uv.layers)
+      n.bumps = n.bumps || (layer->target == LayerTarget::normal && parts.normal());
     n.crosses = n.crosses || reaches_out(*drawn_mesh(scene, i, field), to_clip * matrix(o.transform));
   }
   return n;
@@ -93,7 +115,7 @@ void add_lighting_passes(const Scene& scene, const Counts& n, PlanMaker& p) {
         flat ? Words{"each face has one colour", "面ごとに 1 色"}
              : Words{"the vertices' colours, interpolated", "頂点の色を補間する"},
         other);
-  const bool position = n.parts.position(s.local_viewer), normal = n.parts.normal();
+  const bool position = n.parts.position(s.local_viewer) || n.bumps, normal = n.parts.normal();
   p.add({"vertex-to-eye", {"To eye space", "視点座標へ"}}, phong && (position || normal),
         position && normal ? Words{"the light depends on P and N", "光源計算が P と N に依存する"}
         : normal ? Words{"the light depends on N, not on P", "光源計算は N に依存し、P には依存しない"}
@@ -102,6 +124,31 @@ void add_lighting_passes(const Scene& scene, const Counts& n, PlanMaker& p) {
         n.vertices * vector * (std::size_t(position) + std::size_t(normal)));
   p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}}, phong,
         Words{"once for each visible pixel", "見える画素ごとに 1 回"}, other);
+}
+
+void add_layers(const Scene& scene, const Counts& n, PlanMaker& p) {
+  constexpr Words none{"no material that is drawn has a texture", "描く素材にテクスチャがない"};
+  std::size_t uv_bytes = 0;
+  for (const Surface* s : n.surfaces) uv_bytes += s->uv_bytes();
+  p.add({"uv", {"uv of the vertices", "頂点の uv"}, PassKind::resource}, n.layers > 0,
+        Words{"where each vertex lies in the pictures", "各頂点が画像のどこに当たるか"}, none, uv_bytes);
+  p.add({"textures", {"Textures", "テクスチャ"}, PassKind::resource}, n.layers > 0,
+        counted(n.pictures.size(), " pictures with their mipmaps", " 枚の画像とミップマップ"), none, n.picture_bytes);
+  p.add({"layers", {"Layers of textures", "テクスチャのレイヤー"}, PassKind::part}, n.layers > 0,
+        counted(n.layers, " layers, each read where it is used", " 枚のレイヤーを、使う所で読む"), none);
+  p.add({"alpha-test", {"Alpha test", "アルファテスト"}}, n.tests_alpha,
+        Words{"pixels whose alpha is not above the threshold are holes", "アルファがしきい値以下の画素は穴になる"},
+        n.layers == 0 ? none
+        : scene.shading.transparency == Transparency::test
+            ? Words{"no texture of a colour or of opacity", "色や不透明度のテクスチャがない"}
+            : Words{"switched off", "オフ"});
+}
+
+void add_layer_notes(const Scene& scene, const Counts& n, PlanMaker& p) {
+  const Transparency t = scene.shading.transparency;
+  if (n.layers > 0 && (t == Transparency::blend || t == Transparency::sorted_blend))
+    p.note(Words{"blending is not drawn by this technique: everything is opaque",
+                 "この描画方法は半透明の合成を描けないので、すべて不透明とする"});
 }
 
 // The other side's colours and marks stand beside the front's.
@@ -130,12 +177,14 @@ Plan software_plan(const Scene& scene, const View& view) {
   add_lighting_passes(scene, n, p);
   add_light_parts(scene, n, n.ambient, p);
   add_second_side(scene, n, plan);
+  add_layers(scene, n, p);
   const auto on_demand = [&](const char* id, Words name, bool wanted, std::size_t bytes) {
     p.add({id, name, PassKind::pass, true}, wanted && n.pixels > 0, asked_for(true), asked_for(wanted), bytes);
   };
   on_demand("ids", {"Triangle numbers", "三角形の番号"}, view.ids, n.pixels * 2 * sizeof(std::int32_t));
   on_demand("normals", {"Normals", "法線"}, view.normals, n.pixels * sizeof(glm::vec3));
   add_general_notes(scene, n, n.ambient, p);
+  add_layer_notes(scene, n, p);
   return plan;
 }
 

@@ -36,6 +36,25 @@ void record_parts(const Drawing& drawing, const DeferredShading<Real>& shading, 
 }
 
 template <class Real>
+void record_layers(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record) {
+  std::vector<const TextureImage*> pictures;
+  std::size_t layers = 0, picture_bytes = 0, uv_bytes = 0;
+  for (const ObjectShading<Real>& o : shading.objects)
+    for (const auto* list : {&o.before_light, &o.after_light, &o.opacity})
+      for (const ShadedLayer<Real>& l : *list) {
+        ++layers;
+        if (std::find(pictures.begin(), pictures.end(), l.layer->texture.get()) != pictures.end()) continue;
+        pictures.push_back(l.layer->texture.get());
+        picture_bytes += l.layer->texture->bytes();
+      }
+  if (layers == 0) return;
+  for (const Surface* s : surfaces_of(drawing)) uv_bytes += s->uv_bytes();
+  record.item("uv", uv_bytes);
+  record.item("textures", picture_bytes);
+  record.item("layers");
+}
+
+template <class Real>
 void record_marks(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record) {
   std::size_t clipped = 0, fronts = 0, backs = 0;
   for (const DrawnObject& o : drawing.objects) clipped += o.clipped.size();
@@ -63,6 +82,8 @@ void record_vertices(const DeferredShading<Real>& shading, PassRecorder& record)
 
 template void record_parts(const Drawing&, const DeferredShading<float>&, PassRecorder&);
 template void record_parts(const Drawing&, const DeferredShading<double>&, PassRecorder&);
+template void record_layers(const Drawing&, const DeferredShading<float>&, PassRecorder&);
+template void record_layers(const Drawing&, const DeferredShading<double>&, PassRecorder&);
 template void record_marks(const Drawing&, const DeferredShading<float>&, PassRecorder&);
 template void record_marks(const Drawing&, const DeferredShading<double>&, PassRecorder&);
 template void record_vertices(const DeferredShading<float>&, PassRecorder&);

@@ -12,6 +12,10 @@ void record_surfaces(const Drawing& drawing, bool kept, PassRecorder& record);
 template <class Real>
 void record_parts(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record);
 
+// The layers of textures that are read, with their pictures and uv.
+template <class Real>
+void record_layers(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record);
+
 // The marks of the visible triangles and vertices; those of clipped triangles belong to the clipping.
 template <class Real>
 void record_marks(const Drawing& drawing, const DeferredShading<Real>& shading, PassRecorder& record);

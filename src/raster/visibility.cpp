@@ -10,6 +10,7 @@ namespace {
 std::vector<TrianglePart> parts_of(const Drawing& drawing, std::size_t part_size) {
   std::vector<TrianglePart> parts;
   for (std::size_t o = 0; o < drawing.objects.size(); ++o) {
+    if (optional(drawing.objects[o].tested)) continue;
     const std::size_t count = drawing.objects[o].surface->triangle_count();
     for (int i = 0; i < part_count(count, part_size); ++i) parts.push_back({o, part_of(count, part_size, i)});
   }

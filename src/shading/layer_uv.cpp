@@ -63,6 +63,7 @@ LayerUv layer_uv(const Scene& scene, std::size_t object, const RadiosityField* f
     const LayerTarget target = layer->target;
     if (target == LayerTarget::k_r || target == LayerTarget::k_t) continue;
     if (target == LayerTarget::opacity && scene.shading.transparency == Transparency::opaque) continue;
+    if (target == LayerTarget::normal && scene.shading.mode != ShadingMode::phong) continue;
     if (elements && (target == LayerTarget::k_a || needs_corners(*layer))) continue;
     const UvSet set = set_of(*layer, scene.objects[object]);
     const auto place = std::find(out.sets.begin(), out.sets.end(), set);
@@ -71,6 +72,13 @@ LayerUv layer_uv(const Scene& scene, std::size_t object, const RadiosityField* f
     if (place == out.sets.end()) out.sets.push_back(set);
   }
   return out;
+}
+
+bool tests_alpha(const Scene& scene, std::size_t object, const RadiosityField* field) {
+  if (scene.shading.transparency != Transparency::test) return false;
+  const LayerUv uv = layer_uv(scene, object, field);
+  return std::any_of(uv.layers.begin(), uv.layers.end(),
+                     [](const TextureLayer* l) { return !is_before_light(l->target); });
 }
 
 CornerUv uv_of(const UvSet& set, const MeshHandle& mesh) {
@@ -98,6 +106,7 @@ std::optional<Text> uv_problem(const UvSet& set, const MeshHandle& mesh) {
 }
 
 std::vector<Text> layer_notes(const Scene& scene, const RadiosityField* field) {
+  const auto before = [](const TextureLayer* l) { return is_before_light(l->target); };
   std::vector<Text> notes;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
@@ -107,6 +116,9 @@ std::vector<Text> layer_notes(const Scene& scene, const RadiosityField* field) {
       if (layer->target == LayerTarget::k_r || layer->target == LayerTarget::k_t)
         notes.push_back(Words{"textures of k_r and k_t need ray tracing: left out",
                               "k_r と k_t のテクスチャはレイトレーシングが必要なので省く"});
+      else if (layer->target == LayerTarget::normal && scene.shading.mode != ShadingMode::phong)
+        notes.push_back(Words{"normals from textures need Phong shading, which has a normal at each pixel: left out",
+                              "法線のテクスチャには画素ごとの法線が必要。フォンシェーディングでないので省く"});
       else if (takes_part(field, i) && layer->target == LayerTarget::k_a)
         notes.push_back(Words{"textures of k_a are left out: a radiosity solution stands in for the ambient term",
                               "環境光項はラジオシティの解なので k_a のテクスチャは省く"});
@@ -116,7 +128,12 @@ std::vector<Text> layer_notes(const Scene& scene, const RadiosityField* field) {
                   "are drawn",
                   "ラジオシティの要素にはメッシュの uv がないので、投影したテクスチャだけを描く"});
     }
-    for (const UvSet& set : layer_uv(scene, i, field).sets)
+    const LayerUv uv = layer_uv(scene, i, field);
+    const bool at_vertices = scene.shading.mode != ShadingMode::phong;
+    if (at_vertices && std::any_of(uv.layers.begin(), uv.layers.end(), before))
+      notes.push_back(Words{"light is computed at the vertices: textures that change the material count there alone",
+                            "光源計算は頂点で行うので、素材を変えるテクスチャは頂点でだけ読む"});
+    for (const UvSet& set : uv.sets)
       if (const auto problem = uv_problem(set, object.mesh))
         notes.push_back({object.name + ": uv are 0: " + problem->en, object.name + "：uv は 0：" + problem->ja});
   }
