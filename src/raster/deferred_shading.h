@@ -23,6 +23,8 @@ struct ShadedLayer {
   const TextureLayer* layer;
   std::size_t set;  // of Surface::uv
   TextureTransform<Real> transform;
+  const Image<glm::u8vec4>*
+      plain;  // its picture where eight texels can be read at once (raster/texel_lanes.h), or null
 };
 
 // What of an object the light model needs.

@@ -1,6 +1,7 @@
 #include "raster/layered_pixels.h"
 
 #include "raster/pixel_kinds.h"
+#include "raster/texel_lanes.h"
 #include "raster/uv_at_pixel.h"
 #include "shading/bump.h"
 
@@ -84,17 +85,75 @@ class LayeredPixels {
   void change(const LayeredTriangle<Real>& t, const ObjectShading<Real>& object, const Place& place, LaneBytes here,
               LaneVectors<Real>& I) const {
     TriangleTexels<Real> texels(t);
-    const bool lit_here = shading_.mode == ShadingMode::phong && !object.before_light.empty();
-    std::optional<LayeredLight<Real>> light;
-    if (lit_here) light.emplace(shading_, t);
-    for (int i = 0; i < lanes; ++i) {
-      if (!has_lane(here, i)) continue;
-      texels.move_to(place.x + i, place.y);
-      Vec4<Real> C(lit_here ? light->at(texels) : Vec3<Real>(I.x[i], I.y[i], I.z[i]), Real(1));
-      for (const ShadedLayer<Real>& l : object.after_light) C = layered(*l.layer, C, texels.texel(l));
-      if (shading_.lighting.clamp) C = Vec4<Real>(saturate(Vec3<Real>(C)), C.w);
-      I.x[i] = C.x, I.y[i] = C.y, I.z[i] = C.z;
+    texels.move_to_eight(place.x, place.y);
+    const auto each = [&](const auto& colour) {
+      for (int i = 0; i < lanes; ++i) {
+        if (!has_lane(here, i)) continue;
+        texels.choose(i);
+        const Vec3<Real> C = colour(Vec3<Real>(I.x[i], I.y[i], I.z[i]));
+        I.x[i] = C.x, I.y[i] = C.y, I.z[i] = C.z;
+      }
+    };
+    if (shading_.mode == ShadingMode::phong && !object.before_light.empty()) {
+      const LayeredLight<Real> light(shading_, t);
+      each([&](const Vec3<Real>&) { return light.at(texels); });
     }
+    for (const ShadedLayer<Real>& l : object.after_light)
+      if (!modulate_eight(l, here, texels, I))
+        // No blend makes colour of the alpha that was there.
+        each([&](const Vec3<Real>& C) {
+          return Vec3<Real>(layered(*l.layer, Vec4<Real>(C, Real(1)), texels.texel(l)));
+        });
+    if (shading_.lighting.clamp) each([](const Vec3<Real>& C) { return saturate(C); });
+  }
+
+  // All lanes of one triangle at once, where the layer is plain; false where it is not.
+  static bool modulate_eight(const ShadedLayer<Real>& l, LaneBytes here, TriangleTexels<Real>& texels,
+                             LaneVectors<Real>& I) {
+    const TextureLayer& layer = *l.layer;
+    if (!l.plain || layer.blend != LayerBlend::modulate || layer.amount != 1) return false;
+    const typename TriangleTexels<Real>::LaneSlopes* w;
+    texels.eight(layer.perspective, w);
+    const UvPlane<Real>& plane = texels.plane(l);
+    const Vec2<Real> column_u = l.transform.difference({Real(1), Real(0)}),
+                     column_v = l.transform.difference({Real(0), Real(1)}),
+                     offset = l.transform.point({Real(0), Real(0)});
+    Lanes<Real> mesh_u, mesh_v;
+    plane.place(*w, 0, mesh_u), plane.place(*w, 1, mesh_v);
+    Lanes<Real> u = (column_u.x * mesh_u + column_v.x * mesh_v) + offset.x;
+    Lanes<Real> v = (column_u.y * mesh_u + column_v.y * mesh_v) + offset.y;
+    const LaneMask<Real> mask = __builtin_convertvector(lane_mask(here), LaneMask<Real>);
+    const Lanes<Real> zero{}, most = zero + Real(1 << 20);
+    u = mask ? u : zero, v = mask ? v : zero;
+    if (any(!((u < most) & (u > -most) & (v < most) & (v > -most)))) return false;
+    if (uses_mipmaps(layer.sampling.min_filter)) {
+      Lanes<Real> u_dx, u_dy, v_dx, v_dy;
+      plane.slopes(*w, 0, u_dx, u_dy), plane.slopes(*w, 1, v_dx, v_dy);
+      const auto square = [&](const Lanes<Real>& du, const Lanes<Real>& dv, Lanes<Real>& out) {
+        const Lanes<Real> x = (column_u.x * du + column_v.x * dv) * Real(l.plain->width());
+        const Lanes<Real> y = (column_u.y * du + column_v.y * dv) * Real(l.plain->height());
+        out = x * x + y * y;
+      };
+      Lanes<Real> along_x, along_y;
+      square(u_dx, v_dx, along_x), square(u_dy, v_dy, along_y);
+      const Lanes<Real> one = zero + Real(1);
+      if (any(mask & ((along_x > one) | (along_y > one)))) return false;  // a smaller level
+    }
+    TexelLanes<Real> T;
+    linear_lanes<Real>(*l.plain, layer.sampling, u, v, T);
+    const Real scale = Real(layer.scale);
+    I.x = mask ? I.x * (T.rgb.x * scale) : I.x;
+    I.y = mask ? I.y * (T.rgb.y * scale) : I.y;
+    I.z = mask ? I.z * (T.rgb.z * scale) : I.z;
+    return true;
+  }
+
+  template <class Mask>
+  static bool any(const Mask& m) {
+    return lane_bytes(__builtin_convertvector(m, Lanes<std::int32_t>)) != 0;
+  }
+  static Lanes<std::int32_t> lane_mask(LaneBytes here) {
+    return __builtin_convertvector(std::bit_cast<Lanes<std::int8_t>>(here), Lanes<std::int32_t>);
   }
 
   const Drawing& drawing_;

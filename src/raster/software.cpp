@@ -9,6 +9,7 @@
 #include "raster/pixel_shading.h"
 #include "raster/software_plan.h"
 #include "raster/software_trace.h"
+#include "raster/texel_lanes.h"
 #include "shading/ambient_term.h"
 #include "shading/layer_uv.h"
 
@@ -124,7 +125,8 @@ void begin_layers(const Scene& scene, std::size_t object, DeferredShading<Real>&
     auto& list = layer.target == LayerTarget::opacity  ? s.opacity
                  : layer.target == LayerTarget::colour ? s.after_light
                                                        : s.before_light;
-    list.push_back({&layer, std::size_t(uv.set_of_layer[i]), TextureTransform<Real>(layer.matrix)});
+    list.push_back(
+        {&layer, std::size_t(uv.set_of_layer[i]), TextureTransform<Real>(layer.matrix), plain_picture(layer)});
     shading.uses_layers = shading.uses_layers || layer.target != LayerTarget::opacity;
   }
 }

@@ -56,6 +56,15 @@ class UvPlane {
   Footprint<Real> at(const typename TriangleWeights<Real>::template Slopes<Real>& w) const {
     return {a_ + (w.b * to_b_ + w.c * to_c_), w.b_dx * to_b_ + w.c_dx * to_c_, w.b_dy * to_b_ + w.c_dy * to_c_};
   }
+  // Of eight pixels, component by component.
+  using LaneSlopes = typename TriangleWeights<Real>::template Slopes<Lanes<Real>>;
+  void place(const LaneSlopes& w, int axis, Lanes<Real>& out) const {
+    out = a_[axis] + (w.b * to_b_[axis] + w.c * to_c_[axis]);
+  }
+  void slopes(const LaneSlopes& w, int axis, Lanes<Real>& dx, Lanes<Real>& dy) const {
+    dx = w.b_dx * to_b_[axis] + w.c_dx * to_c_[axis];
+    dy = w.b_dy * to_b_[axis] + w.c_dy * to_c_[axis];
+  }
 
  private:
   Vec2<Real> a_{0}, to_b_{0}, to_c_{0};
@@ -65,36 +74,60 @@ class UvPlane {
 template <class Real>
 class TriangleTexels {
  public:
+  using Slopes = typename TriangleWeights<Real>::template Slopes<Real>;
+  using LaneSlopes = typename TriangleWeights<Real>::template Slopes<Lanes<Real>>;
+
   explicit TriangleTexels(const LayeredTriangle<Real>& t) : t_(t) {
     for (std::size_t s = 0; s < t.object->surface->uv.size(); ++s) planes_[s] = UvPlane<Real>(t, s);
   }
-  void move_to(int x, int y) { x_ = Real(x), y_ = Real(y), correct_known_ = affine_known_ = false; }
+  const UvPlane<Real>& plane(const ShadedLayer<Real>& l) const { return planes_[l.set]; }
+
+  // The pixel; y counted from the bottom.
+  void move_to(int x, int y) { x_ = Real(x), y_ = Real(y), lane_ = -1, correct_.known = affine_.known = false; }
+  // Eight pixels, and then one of them.
+  void move_to_eight(int x, int y) { x_ = Real(x), y_ = Real(y), correct_.known = affine_.known = false; }
+  void choose(int lane) { lane_ = lane; }
+  void eight(bool perspective, const LaneSlopes*& out) {
+    Weights& w = perspective ? correct_ : affine_;
+    if (!w.known) t_.weights.at(Lanes<Real>(lane_numbers<Real> + x_), y_, perspective, w.eight), w.known = true;
+    out = &w.eight;
+  }
 
   // In the picture's own coordinates.
   Footprint<Real> footprint(const ShadedLayer<Real>& l) {
-    return l.transform.footprint(planes_[l.set].at(weights(l.layer->perspective)));
+    return l.transform.footprint(planes_[l.set].at(one(l.layer->perspective)));
   }
   Vec4<Real> texel(const ShadedLayer<Real>& l) {
     return texture_colour(*l.layer->texture, l.layer->sampling, footprint(l));
   }
   Vec3<Real> weights() {
-    const Slopes& w = weights(true);
+    const Slopes w = one(true);
     return {Real(1) - w.b - w.c, w.b, w.c};
   }
 
  private:
-  using Slopes = typename TriangleWeights<Real>::template Slopes<Real>;
-  const Slopes& weights(bool perspective) {
-    Slopes& w = perspective ? correct_ : affine_;
-    bool& known = perspective ? correct_known_ : affine_known_;
-    if (!known) t_.weights.at(x_, y_, perspective, w), known = true;
-    return w;
+  struct Weights {
+    LaneSlopes eight;
+    Slopes one;
+    bool known = false;
+  };
+  Slopes one(bool perspective) {
+    Weights& w = perspective ? correct_ : affine_;
+    if (lane_ >= 0) {
+      const LaneSlopes* e;
+      eight(perspective, e);
+      const int i = lane_;
+      return {e->b[i], e->c[i], e->b_dx[i], e->b_dy[i], e->c_dx[i], e->c_dy[i]};
+    }
+    if (!w.known) t_.weights.at(x_, y_, perspective, w.one), w.known = true;
+    return w.one;
   }
+
   const LayeredTriangle<Real>& t_;
   std::array<UvPlane<Real>, most_layers> planes_;
   Real x_ = 0, y_ = 0;
-  Slopes correct_{}, affine_{};
-  bool correct_known_ = false, affine_known_ = false;
+  int lane_ = -1;
+  Weights correct_, affine_;
 };
 
 }  // namespace cg

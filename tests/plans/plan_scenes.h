@@ -48,6 +48,20 @@ inline Scene full_scene_with_radiosity() {
   return s;
 }
 
+// A layer for each target that there is, their uv from three sources.
+inline void add_textures(Scene& s) {
+  Image<glm::u8vec4> texels(4, 4);
+  for (int i = 0; i < 16; ++i) texels.at(i % 4, i / 4) = glm::u8vec4(16 * i, 255 - 16 * i, 128, i % 2 == 0 ? 255 : 60);
+  const TextureHandle picture = TextureImage::make(texels, Encoding::as_stored);
+  for (std::size_t target = 0; target < names_of<LayerTarget>.size(); ++target) {
+    TextureLayer layer;
+    layer.texture = picture;
+    layer.target = LayerTarget(target);
+    layer.uv = target % 2 == 0 ? UvSource::projector : target % 4 == 1 ? UvSource::mesh : UvSource::unwrap;
+    s.material.layers.push_back(layer);
+  }
+}
+
 struct OddScene {
   std::string name;
   std::function<void(Scene&)> change;  // of full_scene()
@@ -58,6 +72,17 @@ inline std::vector<OddScene> odd_scenes() {
   return {
       {"plain", [](Scene& s) { s = plain_scene(); }},
       {"full", [](Scene&) {}},
+      {"textures", add_textures},
+      {"textures under an alpha test",
+       [](Scene& s) {
+         add_textures(s);
+         s.shading.transparency = Transparency::test;
+       }},
+      {"textures of the normal alone",
+       [](Scene& s) {
+         add_textures(s);
+         std::erase_if(s.material.layers, [](const TextureLayer& l) { return l.target != LayerTarget::normal; });
+       }},
       {"no object", [](Scene& s) { s.objects.clear(); }},
       {"hidden", [](Scene& s) { s.objects[0].visible = s.objects[1].visible = false; }},
       {"mesh not loaded", [](Scene& s) { s.objects[0].mesh = nullptr; }},

@@ -108,6 +108,8 @@ TEST_P(Plans, TheFullSceneUsesEverything) {
   for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong}) {
     Scene scene = full_scene_with_radiosity();
     scene.shading.mode = mode;
+    add_textures(scene);
+    scene.shading.transparency = Transparency::test;
     scene.shading.color_material = ColorMaterial::ambient_and_diffuse;
     scene.mistakes.flipped_normals = mode == ShadingMode::flat;
     if (technique().unsupported(scene)) continue;

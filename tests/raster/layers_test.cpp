@@ -393,3 +393,26 @@ TEST(Layers, NothingOfThemInASceneWithoutAny) {
   s.shading.transparency = Transparency::test;
   EXPECT_TRUE(runs("alpha-test") && ran("alpha-test"));
 }
+
+// Where eight texels are read at once they are those that are read one by one, as they are where the amount is not 1.
+TEST(Layers, EightTexelsAtOnceAreTheSame) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirror, Wrap::clamp})
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 5), glm::ivec2(64, 32)})
+      for (const MinFilter filter : {MinFilter::linear, MinFilter::linear_mipmap_linear})
+        for (const bool perspective : {true, false}) {
+          Scene s = scene_of(make_shape(*find_shape("torus"), 0));
+          s.camera.position = {0, 1, 3};
+          s.shading.mode = ShadingMode::phong;
+          TextureLayer l = layer_of(noise(size.x, size.y, 5));
+          l.sampling = {};
+          l.sampling.wrap_s = l.sampling.wrap_t = wrap, l.sampling.min_filter = filter;
+          l.matrix = {2.7, -1.3, 30, -4.2, 0.3}, l.perspective = perspective;
+          for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+            s.shading.precision = precision;
+            s.material.layers = {l};
+            const Frame eight = draw(s, view_of(100, 80));
+            s.material.layers[0].amount = 1 - 1e-12;
+            EXPECT_LT(largest_difference(eight, draw(s, view_of(100, 80))), 5e-7);
+          }
+        }
+}
