@@ -81,23 +81,12 @@ ColourImage in_two_rows(const std::vector<glm::dvec3>& b) {
   return out;
 }
 
-// The largest error of B over the largest B, and the root mean square of both.
+// As relative_errors(), of both rows together.
 Errors errors_of_light(const Setting&, const Frame& frame, const Setting&, const Frame& reference) {
-  Errors out;
-  double off = 0, all = 0, largest = 0;
-  for (int x = 0; x < frame.colour.width(); ++x) {
-    const auto at = [x](const Frame& f) { return glm::dvec3(f.colour.at(x, 0)) + glm::dvec3(f.colour.at(x, 1)); };
-    const glm::dvec3 exact = at(reference), d = at(frame) - exact;
-    off += glm::dot(d, d), all += glm::dot(exact, exact);
-    for (int c = 0; c < 3; ++c) {
-      out.max = std::max(out.max, std::abs(d[c]));
-      largest = std::max(largest, std::abs(exact[c]));
-    }
-    ++out.samples;
-  }
-  out.rmse = all > 0 ? std::sqrt(off / all) : 0;
-  out.max = largest > 0 ? out.max / largest : 0;
-  return out;
+  const auto at = [](const Frame& f, int x) { return glm::dvec3(f.colour.at(x, 0)) + glm::dvec3(f.colour.at(x, 1)); };
+  RelativeErrors sums;
+  for (int x = 0; x < frame.colour.width(); ++x) sums.add(at(frame, x), at(reference, x));
+  return sums.errors();
 }
 
 // What it cost is the solution alone.

@@ -11,14 +11,12 @@ Ladder positions_ladder(const TradeRequest& request) {
   Scene scene = scene_of_few_patches(request);
   scene.radiosity.form_factors = FormFactors::hemicube;
   scene.radiosity.resolution = 256;
-  for (const Placement placement : {Placement::grid, Placement::gauss})
-    for (const int samples : {1, 2, 3, 4, 6, 8}) {
-      scene.radiosity.placement = placement;
-      scene.radiosity.samples = samples;
-      const std::string name(names_of<Placement>[std::size_t(placement)].id);
-      out.settings.push_back(
-          radiosity_setting(scene, name + "-" + std::to_string(samples), samples, std::size_t(placement)));
-    }
+  for (const Placement placement : {Placement::grid, Placement::gauss}) {
+    scene.radiosity.placement = placement;
+    const std::string name(names_of<Placement>[std::size_t(placement)].id);
+    add_settings(out, scene, name + "-", std::size_t(placement), {1, 2, 3, 4, 6, 8},
+                 [](Radiosity& r, int samples) { r.samples = samples; });
+  }
   out.references.push_back(closed_form_of(scene));
   return out;
 }
@@ -28,13 +26,11 @@ Ladder resolution_ladder(const TradeRequest& request) {
   Scene scene = scene_of_few_patches(request);
   scene.radiosity.form_factors = FormFactors::hemicube;
   scene.radiosity.placement = Placement::gauss;
-  for (const int samples : {1, 4})
-    for (const int resolution : {16, 24, 32, 48, 64, 96, 128, 192, 256}) {
-      scene.radiosity.resolution = resolution;
-      scene.radiosity.samples = samples;
-      out.settings.push_back(radiosity_setting(
-          scene, (samples == 1 ? "centre-" : "gauss-") + std::to_string(resolution), resolution, samples == 1 ? 0 : 1));
-    }
+  for (const int samples : {1, 4}) {
+    scene.radiosity.samples = samples;
+    add_settings(out, scene, samples == 1 ? "centre-" : "gauss-", samples == 1 ? 0 : 1,
+                 {16, 24, 32, 48, 64, 96, 128, 192, 256}, [](Radiosity& r, int pixels) { r.resolution = pixels; });
+  }
   out.references.push_back(closed_form_of(scene));
   return out;
 }
@@ -43,10 +39,8 @@ Ladder rays_ladder(const TradeRequest& request) {
   Ladder out;
   Scene scene = scene_of_few_patches(request);
   scene.radiosity.form_factors = FormFactors::monte_carlo;
-  for (int rays = 64; rays <= 65536; rays *= 4) {
-    scene.radiosity.rays = rays;
-    out.settings.push_back(radiosity_setting(scene, "monte-carlo-" + std::to_string(rays), rays, 0));
-  }
+  add_settings(out, scene, "monte-carlo-", 0, {64, 256, 1024, 4096, 16384, 65536},
+               [](Radiosity& r, int rays) { r.rays = rays; });
   out.references.push_back(closed_form_of(scene));
   return out;
 }

@@ -86,36 +86,21 @@ Ladder patch_ladder(const TradeRequest& request) {
   return out;
 }
 
-// B of all patches; what it cost is the solver alone.
+// Until it stops by itself.
 Frame light(const Setting& setting, std::span<const Technique>, Progress& progress) {
-  const Radiosity& options = setting.scene.radiosity;
-  const Patches patches = make_patches(setting.scene, options, progress);
-  Solver solver(system_of(patches, closed_form_matrix(patches, progress)), options);
-  CpuClock clock;
-  solver.run(progress);
-  Frame frame;
-  frame.cpu_ms = clock.lap_ms();
-  frame.colour = row_of_colours(solver.radiosity());
-  return frame;
+  return solved_light(
+      setting, setting.scene.radiosity, [&](Solver& solver) { solver.run(progress); }, progress);
 }
 
 Ladder residual_ladder(const TradeRequest& request) {
-  Ladder out;
-  Scene scene = scene_of_few_patches(request);
-  for (const RadiositySolver solver : {RadiositySolver::jacobi, RadiositySolver::gauss_seidel,
-                                       RadiositySolver::southwell, RadiositySolver::progressive}) {
-    scene.radiosity.solver = solver;
+  return sweeping_ladder(scene_of_few_patches(request), [](Ladder& out, Scene& with_solver, const std::string& solver) {
     for (int decade = 6; decade >= 1; --decade) {
-      scene.radiosity.residual = std::pow(10, -decade);
-      out.settings.push_back(radiosity_setting(
-          scene, std::string(names_of<RadiositySolver>[std::size_t(solver)].id) + "-" + std::to_string(decade),
-          scene.radiosity.residual, std::size_t(solver)));
+      Radiosity& options = with_solver.radiosity;
+      options.residual = std::pow(10, -decade);
+      out.settings.push_back(radiosity_setting(with_solver, solver + "-" + std::to_string(decade), options.residual,
+                                               std::size_t(options.solver)));
     }
-  }
-  scene.radiosity.solver = RadiositySolver::lu;
-  out.references.push_back(radiosity_setting(scene, "lu", 1, 0));
-  out.references.back().label = Words{"LU", "LU 分解"};
-  return out;
+  });
 }
 
 }  // namespace
@@ -155,21 +140,14 @@ Knob radiosity_patches_knob() {
 }
 
 Knob radiosity_residual_knob() {
-  Knob k;
-  k.scene = "models/closed-cube.json";
-  k.errors = relative_errors;
+  Knob k = sweeping_knob();
   k.id = "radiosity-residual";
   k.name = {"When the solver stops", "解法をいつ止めるか"};
   k.help = {"Each iterative solver, stopped at larger and larger residuals, against LU.",
             "反復解法を残差の大きさを変えて止め、LU 分解の解と比べる。"};
   k.parameter = "radiosity.residual";
   k.abscissa = {"ε", {"residual over 1 − ρ_max", "残差 ÷（1 − ρ の最大値）"}};
-  k.reference = {"LU decomposition", "LU 分解"};
-  k.error = {"largest error of B, over the largest B", "B の最大誤差 ÷ B の最大値"};
-  k.plotted = ErrorKind::max;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Name& name = names_of<RadiositySolver>[i];
-    k.series.push_back({name.id, name.label});
+  for (std::size_t i = 0; i < sweeping_solvers; ++i) {
     k.predictions.push_back(
         {.series = i,
          .of = ErrorKind::max,
@@ -179,7 +157,6 @@ Knob radiosity_residual_knob() {
                  "誤差は残差に 1 − ρF の逆行列をかけたもので、そのノルムは 1/(1 − ρ) 以下。"},
          .source = "Steven Gortler, Michael Cohen, Philipp Slusallek, Radiosity and Relaxation Methods, 1994"});
   }
-  k.bend_low = {"the digits of the picture's floats are what is left.", "残るのは float の丸め。"};
   k.bend_high = {"few sweeps were made there.", "まだ数回しか反復していない。"};
   k.draw = light;
   k.ladder = residual_ladder;

@@ -4,8 +4,6 @@
 #include "measure/knob_list.h"
 #include "measure/ladder_parts.h"
 #include "measure/radiosity_parts.h"
-#include "radiosity/solver.h"
-#include "scene/cpu_clock.h"
 
 namespace cg {
 
@@ -13,51 +11,37 @@ namespace {
 
 constexpr double reflectance = 0.9;  // of all surfaces: sweeps enough to see an order
 
-// B of all patches after as many sweeps as x says; what it cost is the solver alone.
+// After as many sweeps as x says.
 Frame light_after(const Setting& setting, std::span<const Technique>, Progress& progress) {
   Radiosity options = setting.scene.radiosity;
-  const Patches patches = make_patches(setting.scene, options, progress);
   options.residual = 1e-300;
-  Solver solver(system_of(patches, closed_form_matrix(patches, progress)), options);
-  CpuClock clock;
-  if (options.solver == RadiositySolver::lu)
-    solver.run(progress);
-  else
-    for (long sweep = std::lround(std::log(setting.x) / std::log(reflectance)); sweep > 0; --sweep)
-      solver.sweep(progress);
-  Frame frame;
-  frame.cpu_ms = clock.lap_ms();
-  frame.colour = row_of_colours(solver.radiosity());
-  return frame;
+  return solved_light(
+      setting, options,
+      [&](Solver& solver) {
+        if (options.solver == RadiositySolver::lu) return solver.run(progress);
+        for (long sweep = std::lround(std::log(setting.x) / std::log(reflectance)); sweep > 0; --sweep)
+          solver.sweep(progress);
+      },
+      progress);
 }
 
 Ladder ladder(const TradeRequest& request) {
-  Ladder out;
   Scene scene = scene_of_few_patches(request);
   change_materials(scene, [](Material& m) { m.k_d = glm::dvec3(reflectance); });
-  for (const RadiositySolver solver : {RadiositySolver::jacobi, RadiositySolver::gauss_seidel,
-                                       RadiositySolver::southwell, RadiositySolver::progressive}) {
-    scene.radiosity.solver = solver;
+  return sweeping_ladder(scene, [](Ladder& out, Scene& with_solver, const std::string& solver) {
     for (const int sweeps : {40, 32, 24, 16, 12, 8, 6, 4, 3, 2, 1}) {
       const std::string n = std::to_string(sweeps);
-      Setting& s = out.settings.emplace_back(
-          radiosity_setting(scene, std::string(names_of<RadiositySolver>[std::size_t(solver)].id) + "-" + n,
-                            std::pow(reflectance, sweeps), std::size_t(solver)));
-      s.label = {n, n};
+      out.settings.push_back(radiosity_setting(with_solver, solver + "-" + n, std::pow(reflectance, sweeps),
+                                               std::size_t(with_solver.radiosity.solver)));
+      out.settings.back().label = {n, n};
     }
-  }
-  scene.radiosity.solver = RadiositySolver::lu;
-  out.references.push_back(radiosity_setting(scene, "lu", 1, 0));
-  out.references.back().label = Words{"LU", "LU 分解"};
-  return out;
+  });
 }
 
 }  // namespace
 
 Knob radiosity_solver_knob() {
-  Knob k;
-  k.scene = "models/closed-cube.json";
-  k.errors = relative_errors;
+  Knob k = sweeping_knob();
   k.id = "radiosity-solver";
   k.name = {"Solver", "解法"};
   k.help = {
@@ -68,12 +52,7 @@ Knob radiosity_solver_knob() {
   k.parameter = "radiosity.solver";
   k.abscissa = {"q", {"what as many bounces leave, ρ^k of k sweeps", "k 回の反射で残る割合 ρ^k（k はスイープ数）"}};
   k.labels = {"sweeps", "スイープ数"};
-  k.reference = {"LU decomposition", "LU 分解"};
-  k.error = {"largest error of B, over the largest B", "B の最大誤差 ÷ B の最大値"};
-  k.plotted = ErrorKind::max;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Name& name = names_of<RadiositySolver>[i];
-    k.series.push_back({name.id, name.label});
+  for (std::size_t i = 0; i < sweeping_solvers; ++i) {
     Prediction p{.series = i,
                  .of = ErrorKind::max,
                  .order = 2,
@@ -97,7 +76,6 @@ Knob radiosity_solver_knob() {
     }
     k.predictions.push_back(p);
   }
-  k.bend_low = {"the digits of the picture's floats are what is left.", "残るのは float の丸め。"};
   k.bend_high = {"the first bounces are not yet like those that follow.", "最初の数回の反射はその後と様子が違う。"};
   k.draw = light_after;
   k.ladder = ladder;

@@ -50,6 +50,14 @@ Setting radiosity_setting(const Scene& scene, std::string id, double x, std::siz
   return s;
 }
 
+void add_settings(Ladder& out, Scene scene, const std::string& prefix, std::size_t series,
+                  std::initializer_list<int> values, const std::function<void(Radiosity&, int)>& set) {
+  for (const int value : values) {
+    set(scene.radiosity, value);
+    out.settings.push_back(radiosity_setting(scene, prefix + std::to_string(value), value, series));
+  }
+}
+
 Setting closed_form_of(const Scene& scene) {
   Setting s = radiosity_setting(scene, "closed-form", 1, 0);
   s.label = Words{"closed form", "閉じた式"};
@@ -95,22 +103,71 @@ ColourImage row_of_colours(const std::vector<glm::dvec3>& values) {
   return out;
 }
 
-Errors relative_errors(const Setting&, const Frame& frame, const Setting&, const Frame& reference) {
-  Errors out;
-  double off = 0, all = 0, largest = 0;
-  for (std::size_t i = 0; i < std::min(frame.colour.size(), reference.colour.size()); ++i) {
-    const glm::dvec3 exact(reference.colour.pixels()[i]), d = glm::dvec3(frame.colour.pixels()[i]) - exact;
-    off += glm::dot(d, d);
-    all += glm::dot(exact, exact);
-    for (int c = 0; c < 3; ++c) {
-      out.max = std::max(out.max, std::abs(d[c]));
-      largest = std::max(largest, std::abs(exact[c]));
-    }
-    ++out.samples;
+Knob sweeping_knob() {
+  Knob k;
+  k.scene = "models/closed-cube.json";
+  k.errors = relative_errors;
+  k.reference = {"LU decomposition", "LU 分解"};
+  k.error = {"largest error of B, over the largest B", "B の最大誤差 ÷ B の最大値"};
+  k.plotted = ErrorKind::max;
+  k.bend_low = {"the digits of the picture's floats are what is left.", "残るのは float の丸め。"};
+  for (std::size_t i = 0; i < sweeping_solvers; ++i) {
+    const Name& name = names_of<RadiositySolver>[i];
+    k.series.push_back({name.id, name.label});
   }
-  out.rmse = all > 0 ? std::sqrt(off / all) : 0;
-  out.max = largest > 0 ? out.max / largest : 0;
+  return k;
+}
+
+Ladder sweeping_ladder(Scene scene,
+                       const std::function<void(Ladder& out, Scene& scene, const std::string& solver)>& add) {
+  Ladder out;
+  for (std::size_t i = 0; i < sweeping_solvers; ++i) {
+    scene.radiosity.solver = RadiositySolver(int(i));
+    Scene own = scene;
+    add(out, own, std::string(names_of<RadiositySolver>[i].id));
+  }
+  scene.radiosity.solver = RadiositySolver::lu;
+  out.references.push_back(radiosity_setting(scene, "lu", 1, 0));
+  out.references.back().label = Words{"LU", "LU 分解"};
   return out;
+}
+
+Frame solved_light(const Setting& setting, const Radiosity& options, const std::function<void(Solver&)>& run,
+                   Progress& progress) {
+  const Patches patches = make_patches(setting.scene, options, progress);
+  Solver solver(system_of(patches, closed_form_matrix(patches, progress)), options);
+  CpuClock clock;
+  run(solver);
+  Frame frame;
+  frame.cpu_ms = clock.lap_ms();
+  frame.colour = row_of_colours(solver.radiosity());
+  return frame;
+}
+
+void RelativeErrors::add(const glm::dvec3& value, const glm::dvec3& exact) {
+  const glm::dvec3 d = value - exact;
+  off_ += glm::dot(d, d);
+  all_ += glm::dot(exact, exact);
+  for (int c = 0; c < 3; ++c) {
+    farthest_ = std::max(farthest_, std::abs(d[c]));
+    largest_ = std::max(largest_, std::abs(exact[c]));
+  }
+  ++count_;
+}
+
+Errors RelativeErrors::errors() const {
+  Errors out;
+  out.samples = count_;
+  out.rmse = all_ > 0 ? std::sqrt(off_ / all_) : 0;
+  out.max = largest_ > 0 ? farthest_ / largest_ : 0;
+  return out;
+}
+
+Errors relative_errors(const Setting&, const Frame& frame, const Setting&, const Frame& reference) {
+  RelativeErrors sums;
+  for (std::size_t i = 0; i < std::min(frame.colour.size(), reference.colour.size()); ++i)
+    sums.add(glm::dvec3(frame.colour.pixels()[i]), glm::dvec3(reference.colour.pixels()[i]));
+  return sums.errors();
 }
 
 }  // namespace cg
