@@ -74,7 +74,7 @@ void paint_pointed(App& app, const Cross& cross, const glm::ivec2& pixel) {
 void corner_text(App& app, ImVec2 at, float width, ImFont* font, ImU32 colour, std::string_view text) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect({at.x, at.y - app.look.px(18)}, {at.x + width, at.y + app.look.px(8)}, true);
-  set_text(draw, font, at, colour, noted(app, text));
+  set_text(draw, font, at, colour, text, fitting_scale(font, noted(app, text), width));
   draw->PopClipRect();
 }
 

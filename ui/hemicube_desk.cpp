@@ -4,6 +4,7 @@
 
 #include "params/input_error.h"
 #include "ui/app.h"
+#include "ui/radiosity_desk.h"
 #include "workbench/model_library.h"
 #include "workbench/scene_radiosity.h"
 
@@ -15,25 +16,33 @@ constexpr std::size_t most_known = 64;  // closed forms beside the largest facto
 constexpr std::chrono::milliseconds patience{200};
 constexpr double slow_pixels = 1 << 18;  // of all hemicubes of a patch: beyond, a row takes longer than a frame
 
-// What of the options the hemicubes depend on.
-Radiosity hemicube_options(const Radiosity& r) {
-  Radiosity out;
-  out.form_factors = FormFactors::hemicube, out.item_buffer = ItemBuffer::software;
-  out.resolution = r.resolution, out.samples = r.samples, out.placement = r.placement;
-  out.weight = r.weight, out.normalise = r.normalise;
-  return out;
+// Always the same drawing of the same polygons, made at its first call.
+MakeDrawItems drawing_once(const MakeDrawItems& gl, std::span<const ItemPolygon> polygons) {
+  if (!gl) return {};
+  struct Made {
+    std::once_flag once;
+    DrawItems draw;
+  };
+  const auto made = std::make_shared<Made>();
+  const DrawItems draw = [gl, polygons, made](const HemicubeFrame& frame, int resolution,
+                                              const std::vector<bool>& drawn, ItemFaces& out) {
+    std::call_once(made->once, [&] { made->draw = gl(polygons); });
+    made->draw(frame, resolution, drawn, out);
+  };
+  return [draw](std::span<const ItemPolygon>) { return draw; };
 }
 
 std::uint64_t key_of(const Scene& loaded) { return geometry_key(loaded, loaded.radiosity); }
 
 }  // namespace
 
-HemicubeGround::HemicubeGround(Scene from, const Scene& loaded, Progress& progress)
+HemicubeGround::HemicubeGround(Scene from, const Scene& loaded, const MakeDrawItems& make_gl, Progress& progress)
     : inputs(std::move(from)),
       geometry(key_of(loaded)),
       patches(make_patches(loaded, loaded.radiosity, progress)),
       polygons(item_polygons(patches)),
-      viewer(patches),
+      gl(drawing_once(make_gl, polygons)),
+      viewer(patches, gl),
       tree(polygons),
       all(patches.patches.size() / 16 + 1, 0xffff) {}
 
@@ -64,7 +73,17 @@ double HemicubeRow::factor(std::uint32_t other) const {
   return found != row.factors.end() && found->patch == other ? double(found->value) : 0;
 }
 
-HemicubeDesk::HemicubeDesk(std::function<void()> wake) : wake_(wake ? std::move(wake) : [] {}) {}
+HemicubeDesk::HemicubeDesk(std::function<void()> wake, MakeDrawItems gl)
+    : wake_(wake ? std::move(wake) : [] {}), gl_(std::move(gl)) {}
+
+// What of the options the hemicubes depend on.
+Radiosity HemicubeDesk::options_of(const Radiosity& r) const {
+  Radiosity out;
+  out.form_factors = FormFactors::hemicube, out.item_buffer = gl_ ? r.item_buffer : ItemBuffer::software;
+  out.resolution = r.resolution, out.samples = r.samples, out.placement = r.placement;
+  out.weight = r.weight, out.normalise = r.normalise;
+  return out;
+}
 
 Scene HemicubeDesk::inputs_of(const Scene& scene) {
   Scene out = radiosity_inputs(scene);
@@ -88,7 +107,7 @@ void HemicubeDesk::make_ground(Scene inputs, Progress& progress) {
   try {
     Scene loaded = inputs;
     load_meshes(loaded);
-    ground = std::make_shared<const HemicubeGround>(std::move(inputs), loaded, progress);
+    ground = std::make_shared<const HemicubeGround>(std::move(inputs), loaded, gl_, progress);
     const auto& all = ground->patches.patches;
     if (std::none_of(all.begin(), all.end(), [](const Patch& p) { return p.area > 0; })) {
       message = Text("The scene has no face with an area: there are no patches",
@@ -156,9 +175,8 @@ void HemicubeDesk::settle(const Scene& scene, Settings& settings) {
 }
 
 void HemicubeDesk::ask_sight(const Scene& scene, const SolutionHandle& solution, const Settings& settings) {
-  SightKey key{
-      shown_.ground, std::uint32_t(settings.patch), 0, hemicube_options(scene.radiosity), settings.hemicube, nullptr,
-      scene.display};
+  SightKey key{shown_.ground, std::uint32_t(settings.patch), 0, options_of(scene.radiosity), settings.hemicube, nullptr,
+               scene.display};
   key.options.normalise = Normalise::rows;  // it does not matter here
   const std::size_t positions = HemicubeViewer::positions(key.ground->patches.patches[key.patch], key.options);
   key.position = std::min(std::size_t(std::max(settings.position, 0)), positions - 1);
@@ -168,10 +186,20 @@ void HemicubeDesk::ask_sight(const Scene& scene, const SolutionHandle& solution,
   if (asked_sight_ && *asked_sight_ == key) return;
   asked_sight_ = key;
   viewer_.submit([this, key, positions](Progress&) {
-    HemicubeSight sight{
-        key.ground,  key.patch, key.position,       positions,
-        key.options, key.show,  bool(key.solution), key.ground->viewer.view(key.patch, key.position, key.options),
-        {},          {}};
+    HemicubeSight sight{key.ground, key.patch,          key.position, positions, key.options,
+                        key.show,   bool(key.solution), {},           {},        {}};
+    std::optional<Text> trouble;
+    try {
+      sight.view = key.ground->viewer.view(key.patch, key.position, key.options);
+    } catch (const InputError& e) {  // no OpenGL
+      trouble = Text(e.message(Language::english), e.message(Language::japanese));
+    }
+    const bool drawn = !trouble;
+    {
+      const std::lock_guard lock(mutex_);
+      newest_.trouble = std::move(trouble);
+    }
+    if (!drawn) return wake_();
     sight.pixels = patch_pixels(sight.view);
     static const std::vector<glm::dvec3> unsolved;
     const PixelColour colour =
@@ -186,7 +214,7 @@ void HemicubeDesk::ask_sight(const Scene& scene, const SolutionHandle& solution,
 }
 
 void HemicubeDesk::ask_row(const Scene& scene, const Settings& settings) {
-  const RowKey key{shown_.ground, std::uint32_t(settings.patch), hemicube_options(scene.radiosity)};
+  const RowKey key{shown_.ground, std::uint32_t(settings.patch), options_of(scene.radiosity)};
   if (asked_row_ && *asked_row_ == key) {
     // One that takes long is of no use when another is wanted; a quick one is shown while a slider moves.
     if (std::chrono::steady_clock::now() - row_since_ > patience) rower_.cancel_stale();
@@ -196,8 +224,12 @@ void HemicubeDesk::ask_row(const Scene& scene, const Settings& settings) {
   if (!rower_.waiting()) row_since_ = std::chrono::steady_clock::now();
   rower_.submit([this, key](Progress& progress) {
     HemicubeRow out{key.ground, key.patch, key.options, {}, {}, {}, {}};
-    out.method = form_factor_method(key.ground->patches, key.options);
-    out.row = out.method.row(key.patch, progress);
+    try {
+      out.method = form_factor_method(key.ground->patches, key.options, key.ground->gl);
+      out.row = out.method.row(key.patch, progress);
+    } catch (const InputError&) {  // no OpenGL: the sight says so
+      return;
+    }
     out.by_size = out.row.factors;
     std::stable_sort(out.by_size.begin(), out.by_size.end(),
                      [](const FormFactor& a, const FormFactor& b) { return a.value > b.value; });
@@ -282,12 +314,12 @@ void HemicubeDesk::make_pair(HemicubePair pair, Progress& progress) {
 }
 
 HemicubeDesk& hemicube_of(App& app) {
-  if (!app.hemicube) app.hemicube = std::make_shared<HemicubeDesk>(app.wake);
+  if (!app.hemicube) app.hemicube = std::make_shared<HemicubeDesk>(app.wake, desk_of(app).draw_items());
   return *app.hemicube;
 }
 
 bool looks_at_hemicube(const App& app) {
-  if (app.settings.side != Side::hemicube || app.presenter.on) return false;
+  if (app.settings.side != Side::hemicube) return false;
   return !app.hemicube || app.hemicube->busy();
 }
 

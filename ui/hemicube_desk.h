@@ -24,8 +24,8 @@ struct App;
 
 // The patches of a scene, ready to be asked about. Never changed once it is made.
 struct HemicubeGround {
-  // `inputs` as HemicubeDesk::inputs_of(), `loaded` the same with its meshes.
-  HemicubeGround(Scene inputs, const Scene& loaded, Progress& progress);
+  // `inputs` as HemicubeDesk::inputs_of(), `loaded` the same with its meshes; `gl` may be null.
+  HemicubeGround(Scene inputs, const Scene& loaded, const MakeDrawItems& gl, Progress& progress);
   HemicubeGround(const HemicubeGround&) = delete;
   HemicubeGround& operator=(const HemicubeGround&) = delete;
 
@@ -38,6 +38,7 @@ struct HemicubeGround {
   const std::uint64_t geometry;
   const Patches patches;
   const std::vector<ItemPolygon> polygons;
+  const MakeDrawItems gl;  // all of it by one context, made when it is first drawn with
   const HemicubeViewer viewer;
   const PatchTree tree;
   const std::vector<std::uint16_t> all;  // a bit each
@@ -103,7 +104,8 @@ struct HemicubeArt {
 class HemicubeDesk {
  public:
   // `wake` is called on another thread when there is something new.
-  explicit HemicubeDesk(std::function<void()> wake);
+  // `gl` draws the hemicubes that are OpenGL's; where it is null the software does.
+  explicit HemicubeDesk(std::function<void()> wake, MakeDrawItems gl = {});
 
   // Once a frame while the panel is shown: asks for what is new. Sets the patch of the settings where they name none,
   // or one that the scene does not have; it stays where it is when the scene is divided in another way. `solution` may
@@ -119,10 +121,12 @@ class HemicubeDesk {
     std::shared_ptr<const HemicubeRow> row;
     std::shared_ptr<const HemicubePair> pair;
     std::optional<Text> message;  // why there are no patches
+    std::optional<Text> trouble;  // why what was asked for last is not drawn
   };
   const State& state() const { return shown_; }
   bool busy() const { return grounder_.busy() || viewer_.busy() || rower_.busy() || pairer_.busy(); }
   bool current() const { return current_; }  // the patches are those of the scene
+  bool draws_by_gl() const { return gl_ != nullptr; }
 
   // The item that is asked about: the one under the mouse, the one chosen, or the patch that is seen best.
   std::uint32_t item(const Settings& settings) const;
@@ -143,6 +147,7 @@ class HemicubeDesk {
     int number;
     Patch patch;
   };
+  Radiosity options_of(const Radiosity& r) const;
   void settle(const Scene& scene, Settings& settings);
   void ask_sight(const Scene& scene, const SolutionHandle& solution, const Settings& settings);
   void ask_row(const Scene& scene, const Settings& settings);
@@ -153,6 +158,7 @@ class HemicubeDesk {
   void make_pair(HemicubePair pair, Progress& progress);
 
   std::function<void()> wake_;
+  const MakeDrawItems gl_;
   mutable std::mutex mutex_;  // guards what follows
   State newest_;
   // Of the window's thread alone.

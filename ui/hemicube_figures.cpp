@@ -64,6 +64,10 @@ void draw_reciprocity(App& app, const HemicubePair::Whole& whole) {
 
 }  // namespace
 
+float fitting_scale(ImFont* font, std::string_view text, float room) {
+  return std::clamp(room / std::max(text_width(font, text), 1.0f), 0.8f, 1.0f);
+}
+
 std::string short_number(double v, std::size_t room) {
   std::string text = number_text(v, 0, room);
   if (const std::size_t e = text.find("e-0"); e != text.npos) text.erase(e + 2, 1);
@@ -115,7 +119,8 @@ void draw_pixel_lines(App& app, const HemicubeDesk& desk, const PointedPixel& pi
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect(at, {at.x + room, at.y + look.px(42)}, true);
   for (std::size_t i = 0; i < 2; ++i)
-    set_text(draw, look.fonts.small, {at.x, at.y + look.px(16 + 20 * float(i))}, inks[i], noted(app, lines[i]));
+    set_text(draw, look.fonts.small, {at.x, at.y + look.px(16 + 20 * float(i))}, inks[i], lines[i],
+             fitting_scale(look.fonts.small, noted(app, lines[i]), room));
   draw->PopClipRect();
   ImGui::Dummy({room, look.px(42) - ImGui::GetStyle().ItemSpacing.y});
 }

@@ -6,6 +6,8 @@ namespace cg {
 
 struct App;
 
+// How much smaller a text is written that is too wide for its room: down to what is read well.
+float fitting_scale(ImFont* font, std::string_view text, float room);
 // In about so many characters: "7.77e-5".
 std::string short_number(double v, std::size_t room);
 // From here on a miss, relative, is told in the colour of errors.

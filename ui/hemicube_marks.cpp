@@ -11,7 +11,7 @@ namespace {
 constexpr int hatch_lines = 14;
 
 HemicubeDesk* open_desk(const App& app) {
-  const bool open = app.settings.side == Side::hemicube && !app.presenter.on && app.hemicube;
+  const bool open = app.settings.side == Side::hemicube && app.hemicube;
   return open && app.hemicube->state().ground && app.hemicube->current() ? app.hemicube.get() : nullptr;
 }
 

@@ -81,11 +81,12 @@ void draw_controls(App& app, const HemicubeSight& sight) {
 }
 
 // Where the matrix of the scene is made in another way than what is shown.
-void draw_notes(App& app) {
+void draw_notes(App& app, const HemicubeDesk& desk) {
   const Radiosity& r = app.scene.radiosity;
   const Language l = app.language();
   const auto note = [&](const Words& words) { small_text(app, words.in(l), app.look.palette.dim); };
-  if (r.form_factors == FormFactors::hemicube && r.item_buffer == ItemBuffer::gl)
+  if (desk.state().trouble) small_text(app, desk.state().trouble->in(l), app.look.palette.error);
+  if (r.form_factors == FormFactors::hemicube && r.item_buffer == ItemBuffer::gl && !desk.draws_by_gl())
     note({"Drawn here by the software rasteriser.", "ここではソフトウェアで描いている。"});
   if (r.form_factors == FormFactors::hemicube && r.normalise == Normalise::reciprocal)
     note({"Rows are shown before they are made reciprocal.", "相反則に合わせる前の行を示す。"});
@@ -111,6 +112,8 @@ void draw_hemicube_panel(App& app) {
   take_pictures(app, desk);
   draw_shows(app);
   if (desk.state().message) return small_text(app, desk.state().message->in(app.language()), p.error);
+  if (!desk.art.sight && desk.state().trouble)
+    return small_text(app, desk.state().trouble->in(app.language()), p.error);
   if (!desk.art.sight)
     return small_text(app, Words{"Dividing the scene into patches …", "シーンをパッチに分けている…"}.in(app.language()),
                       p.dim);
@@ -126,7 +129,7 @@ void draw_hemicube_panel(App& app) {
   draw_controls(app, *desk.art.sight);
   ImGui::Dummy({1, app.look.px(2)});
   draw_pair(app, desk);
-  draw_notes(app);
+  draw_notes(app, desk);
   draw_weights(app, desk);
   draw_row_bars(app, desk);
 }

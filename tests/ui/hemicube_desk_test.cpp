@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "gl/hemicube_items.h"
+#include "params/input_error.h"
 #include "workbench/open.h"
 
 namespace cg {
@@ -174,6 +176,46 @@ TEST(HemicubeDesk, WhatThePointerIsOnComesFirst) {
 }
 
 // However long rows take: asking costs nothing, a slider that moves sees its hemicube, and closing does not wait.
+// As the scene asks: by OpenGL's item buffers, or by the software's where there are none.
+TEST(HemicubeDesk, DrawsByOpenGl) {
+  Scene scene = squares();
+  scene.radiosity.samples = 2;
+  Settings settings;
+  settings.patch = 0;
+  HemicubeDesk software(nullptr), both(nullptr, gl_draw_items());
+  settle(software, scene, settings);
+  scene.radiosity.item_buffer = ItemBuffer::gl;
+  settle(both, scene, settings);
+  ASSERT_FALSE(both.state().trouble);
+  ASSERT_TRUE(both.state().row && both.state().pair && both.state().pair->whole);
+  EXPECT_EQ(both.state().sight->options.item_buffer, ItemBuffer::gl);
+  EXPECT_EQ(both.state().row->options.item_buffer, ItemBuffer::gl);
+  EXPECT_NEAR(both.state().row->factor(1), software.state().row->factor(1), 1e-3);
+  settle(software, scene, settings);
+  EXPECT_EQ(software.state().sight->options.item_buffer, ItemBuffer::software);
+}
+
+// Where OpenGL cannot draw, it says why, and goes on when it is no more asked to.
+TEST(HemicubeDesk, SaysWhyOpenGlDoesNotDraw) {
+  const MakeDrawItems none = [](std::span<const ItemPolygon>) -> DrawItems {
+    return [](const HemicubeFrame&, int, const std::vector<bool>&, ItemFaces&) {
+      throw InputError("radiosity.item_buffer", {"there is no OpenGL", "OpenGL がない"}, {"software", "software"});
+    };
+  };
+  Scene scene = squares();
+  Settings settings;
+  settings.patch = 0;
+  HemicubeDesk desk(nullptr, none);
+  scene.radiosity.item_buffer = ItemBuffer::gl;
+  settle(desk, scene, settings);
+  EXPECT_TRUE(desk.state().trouble);
+  EXPECT_FALSE(desk.state().sight);
+  scene.radiosity.item_buffer = ItemBuffer::software;
+  settle(desk, scene, settings);
+  EXPECT_FALSE(desk.state().trouble);
+  EXPECT_TRUE(desk.state().sight && desk.state().row);
+}
+
 TEST(HemicubeDesk, NeverWaits) {
   Scene scene = open_scene("models/cornell-box.json");
   scene.radiosity.patch_size = 0.05, scene.radiosity.resolution = 1024, scene.radiosity.samples = 16;

@@ -1,4 +1,6 @@
 // The panel of the hemicube: drawn in both languages and all its views, and what the mouse does in it.
+#include <algorithm>
+#include <ctime>
 #include <thread>
 
 #include "raster/software.h"
@@ -99,6 +101,48 @@ TEST_F(HemicubePanel, AWrongWeightIsOneStepOfUndo) {
   EXPECT_EQ(app.scene, before);
   settle();
   EXPECT_EQ(hemicube_of(app).state().row->options.weight, PixelWeight::delta_form_factor);
+}
+
+// Presented, it stands where the lesson's text is.
+TEST_F(HemicubePanel, ItIsPresented) {
+  app.presenter.on = true;
+  settle();
+  EXPECT_TRUE(hemicube_of(app).state().pair);
+  EXPECT_FALSE(hemicube_lines(app).empty());
+}
+
+double thread_cpu_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+// While S moves at the largest resolution the window's thread works less than a frame of 60 Hz lasts, and what is shown
+// follows.
+TEST_F(HemicubePanel, SamplesMoveAtTheLargestResolution) {
+  settle();
+  app.scene.radiosity.resolution = 1024;
+  std::vector<double> ms;
+  std::size_t followed = 0;
+  std::shared_ptr<const HemicubeSight> seen;
+  for (int i = 0; i < 120 || (followed < 3 && i < 6000); ++i) {
+    app.scene.radiosity.samples = 1 + i / 4 % 16;
+    const double start = thread_cpu_ms();
+    window_frame();
+    ms.push_back(thread_cpu_ms() - start);
+    const std::shared_ptr<const HemicubeSight>& now = hemicube_of(app).state().sight;
+    followed += now != seen && now->options.resolution == 1024;
+    seen = now;
+    std::this_thread::sleep_for(std::chrono::milliseconds(8));
+  }
+  std::sort(ms.begin(), ms.end());
+  std::printf("R = 1024, S = 1..16: a frame's CPU time, median %.2f ms, worst %.2f ms; %zu pictures\n",
+              ms[ms.size() / 2], ms.back(), followed);
+  EXPECT_LT(ms[ms.size() * 95 / 100], 16);
+  EXPECT_GE(followed, 3u);
+  app.scene.radiosity.resolution = 16, app.scene.radiosity.samples = 1;
+  settle();
+  EXPECT_EQ(hemicube_of(app).state().row->options.samples, 1);
 }
 
 TEST_F(HemicubePanel, ALessonsStepSaysWhatItShows) {
