@@ -8,6 +8,7 @@
 
 #include "ui/app.h"
 #include "ui/formula.h"
+#include "ui/solver_panel.h"
 #include "ui/widgets.h"
 
 namespace cg {
@@ -21,18 +22,30 @@ struct Piece {
   const char* between = "";  // in a row of numbers
 };
 
-std::vector<Piece> light_model(const Scene& scene, bool with_rays) {
-  const bool blinn = scene.shading.reflection == Reflection::half_vector;
-  bool emits = scene.material.emission != glm::dvec3(0);
-  for (const Object& object : scene.objects)
+// The ambient term, where radiosity is drawn for it; of a part of its light alone nothing else is (draw_solver_state).
+struct Drawn {
+  bool radiosity = false;
+  LightPart part = LightPart::total;
+};
+Drawn drawn_in(const App& app) {
+  if (const SolverStateHandle state = drawn_solver_state(app)) return {true, state->part};
+  return {app.scene.shading.ambient_source == AmbientSource::radiosity};
+}
+
+bool draws_emission(const App& app) {
+  if (drawn_in(app).part != LightPart::total) return false;
+  bool emits = app.scene.material.emission != glm::dvec3(0);
+  for (const Object& object : app.scene.objects)
     emits = emits || (object.own_material && object.material.emission != glm::dvec3(0));
+  return emits;
+}
+
+std::vector<Piece> light_model(const App& app, bool with_rays) {
+  const bool blinn = app.scene.shading.reflection == Reflection::half_vector;
   std::vector<Piece> out{{"I", Part::sum}, {" = ", Part::sign, Quantity::none, "="}};
-  if (emits)
+  if (draws_emission(app))
     out.insert(out.end(), {{"E", Part::emission, Quantity::emission}, {" + ", Part::sign, Quantity::none, "+"}});
-  // Of a radiosity solution all that the emission is not.
-  const bool radiosity = scene.shading.ambient_source == AmbientSource::radiosity;
-  const std::string ambient = !radiosity ? "I_ak_a" : emits ? "(B − E)" : "B";
-  out.insert(out.end(), {{ambient, Part::ambient, Quantity::ambient},
+  out.insert(out.end(), {{ambient_term(app), Part::ambient, Quantity::ambient},
                          {" + Σ I_i [ ", Part::sign, Quantity::none, "+"},
                          {"k_d(N·L)", Part::diffuse, Quantity::diffuse},
                          {" + ", Part::sign, Quantity::none, "+"},
@@ -48,9 +61,9 @@ std::vector<Piece> light_model(const Scene& scene, bool with_rays) {
 
 constexpr float height_in_em = 1.3f;
 
-const About* about_of(const Scene& scene, Quantity q) {
+const About* about_of(const App& app, Quantity q) {
   const About* found = nullptr;
-  if (q == Quantity::ambient && scene.shading.ambient_source == AmbientSource::radiosity) {
+  if (q == Quantity::ambient && drawn_in(app).radiosity) {
     std::apply([&](const auto&... f) { ((found = f.about.name == "ambient_source" ? &f.about : found), ...); },
                fields_of<Shading>);
     return found;
@@ -62,7 +75,7 @@ const About* about_of(const Scene& scene, Quantity q) {
 
 void explain_term(App& app, const Piece& piece) {
   const Language l = app.language();
-  const About* about = about_of(app.scene, piece.quantity);
+  const About* about = about_of(app, piece.quantity);
   const Words click = app.isolated.term == piece.quantity
                           ? Words{"Click: all terms again", "クリックですべての項に戻す"}
                           : Words{"Click: this term alone", "クリックでこの項だけを描く"};
@@ -71,7 +84,7 @@ void explain_term(App& app, const Piece& piece) {
 }
 
 // How the equation and the rows are set, and where each piece stands.
-struct Setting {
+struct Typesetting {
   std::vector<Piece> pieces;
   const std::vector<NumberRow>* rows = nullptr;
   TypeSize type{}, numbers{};
@@ -85,10 +98,10 @@ const std::string* cell_of(const NumberRow& row, const Piece& piece) {
   return std::size_t(piece.part) < parts_with_numbers ? &row.cells[std::size_t(piece.part)] : nullptr;
 }
 
-Setting set_up(App& app, bool large, bool with_rays, const std::vector<NumberRow>& rows, float scale) {
+Typesetting set_up(App& app, bool large, bool with_rays, const std::vector<NumberRow>& rows, float scale) {
   const Fonts& f = app.look.fonts;
-  Setting s;
-  s.pieces = light_model(app.scene, with_rays);
+  Typesetting s;
+  s.pieces = light_model(app, with_rays);
   s.rows = &rows;
   s.type = large ? TypeSize{f.formula, f.formula_sub, scale} : TypeSize{f.math, f.math_sub, scale};
   s.numbers = {f.small_mono, f.small_mono, scale, 0.8f};
@@ -108,15 +121,15 @@ Setting set_up(App& app, bool large, bool with_rays, const std::vector<NumberRow
 }
 
 // The largest setting that fits.
-Setting fitted(App& app, float width, bool may_be_large, const std::vector<NumberRow>& rows,
-               const std::vector<NumberRow>& narrow_rows) {
+Typesetting fitted(App& app, float width, bool may_be_large, const std::vector<NumberRow>& rows,
+                   const std::vector<NumberRow>& narrow_rows) {
   for (const bool large : {true, false})
     for (const std::vector<NumberRow>* numbers : {&rows, &narrow_rows})
       for (const bool with_rays : {true, false}) {
         if (large && !may_be_large) continue;
-        if (Setting s = set_up(app, large, with_rays, *numbers, 1); s.total <= width) return s;
+        if (Typesetting s = set_up(app, large, with_rays, *numbers, 1); s.total <= width) return s;
       }
-  const Setting smallest = set_up(app, false, false, narrow_rows, 1);
+  const Typesetting smallest = set_up(app, false, false, narrow_rows, 1);
   const float scale = std::clamp(width / std::max(smallest.total, 1.0f), 0.2f, 1.0f);
   return set_up(app, false, false, narrow_rows, 0.98f * scale);
 }
@@ -157,7 +170,7 @@ void draw_term(App& app, const Piece& piece, ImVec2 low, ImVec2 high, float base
   typeset(draw, type, {x, baseline}, faded(look.of(piece.quantity), alpha), piece.markup);
 }
 
-void draw_row(App& app, const Setting& s, const NumberRow& row, ImVec2 at, float baseline) {
+void draw_row(App& app, const Typesetting& s, const NumberRow& row, ImVec2 at, float baseline) {
   const Look& look = app.look;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   set_text(draw, s.labels, {at.x, baseline}, look.palette.dim, row.label, s.type.scale);
@@ -176,6 +189,14 @@ void draw_row(App& app, const Setting& s, const NumberRow& row, ImVec2 at, float
 
 }  // namespace
 
+// Of a radiosity solution all that the emission is not.
+std::string ambient_term(const App& app) {
+  const Drawn drawn = drawn_in(app);
+  if (!drawn.radiosity) return "I_ak_a";
+  if (drawn.part == LightPart::unshot) return "ΔB";
+  return draws_emission(app) ? "(B − E)" : "B";
+}
+
 float equation_height(const App& app, bool large) {
   const Fonts& f = app.look.fonts;
   return height_in_em * (large ? f.formula : f.math)->FontSize;
@@ -187,7 +208,7 @@ float draw_equation(App& app, ImVec2 at, float width, bool large, const std::vec
                     const std::vector<NumberRow>& narrow_rows) {
   const std::optional<Isolated> peeked = std::exchange(app.peek, std::nullopt);
   Look& look = app.look;
-  const Setting s = fitted(app, width, large, rows, narrow_rows);
+  const Typesetting s = fitted(app, width, large, rows, narrow_rows);
   const float em = s.type.base->FontSize * s.type.scale, line = row_height(app) * s.type.scale;
   const float height = std::floor(height_in_em * em), baseline = at.y + std::floor(0.94f * em);
   float x = at.x + s.label_width;

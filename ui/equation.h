@@ -28,6 +28,9 @@ struct NumberRow {
 float draw_equation(App& app, ImVec2 at, float width, bool large, const std::vector<NumberRow>& rows,
                     const std::vector<NumberRow>& narrow_rows);
 
+// The letters of the ambient term as it is drawn: I_a k_a, or what of a radiosity solution stands for it.
+std::string ambient_term(const App& app);
+
 // How high the equation is without rows, and each row.
 float equation_height(const App& app, bool large);
 float row_height(const App& app);

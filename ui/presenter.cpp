@@ -54,11 +54,23 @@ void area(App& app, const char* id, ImVec2 at, ImVec2 size, ImU32 colour, ImVec2
   ImGui::EndChild();
 }
 
+// The panels whose state is drawn in the pictures are presented too, in place of the lesson's text.
+bool presents_panel(const App& app) { return app.settings.side == Side::solver || app.settings.side == Side::hemicube; }
+
+void draw_panel(App& app) {
+  lessons_of(app).reading = {};  // no text to be turned before the next step
+  if (ImGui::BeginChild("presented panel", {0, 0}))
+    app.settings.side == Side::solver ? draw_solver_panel(app) : draw_hemicube_panel(app);
+  ImGui::EndChild();
+}
+
 void draw_lesson(App& app) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_lesson_place(app, at, ImGui::GetContentRegionAvail().x);
-  ImGui::SetCursorScreenPos({at.x, at.y + app.look.px(36)});
-  draw_lesson_step(app, true);
+  if (lessons_of(app).is_open()) {
+    draw_lesson_place(app, at, ImGui::GetContentRegionAvail().x);
+    ImGui::SetCursorScreenPos({at.x, at.y + app.look.px(36)});
+  }
+  presents_panel(app) ? draw_panel(app) : draw_lesson_step(app, true);
 }
 
 }  // namespace
@@ -120,7 +132,7 @@ void draw_presentation(App& app, ImVec2 size, void (*middle)(App&, ImVec2)) {
   }
   LessonPlayer& player = lessons_of(app);
   const float strip = std::min(app.look.px(132), size.y * 0.25f), inner = app.look.px(10);
-  const float text = player.is_open() ? std::floor(size.x * 0.38f) : 0;
+  const float text = player.is_open() || presents_panel(app) ? std::floor(size.x * 0.38f) : 0;
   const ImVec2 margin{app.look.px(20), app.look.px(14)};
   area(app, "presented pictures", {0, 0}, {size.x - text, size.y - strip}, palette.window, {inner, inner}, [&](App& a) {
     const ImVec2 room = ImGui::GetContentRegionAvail();

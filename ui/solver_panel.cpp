@@ -77,12 +77,17 @@ SolverPanel& solver_of(App& app) {
   return *app.solver;
 }
 
-bool shows_solver(const App& app) { return app.settings.side == Side::solver && !app.presenter.on && app.solver; }
+bool shows_solver(const App& app) { return app.settings.side == Side::solver && app.solver; }
+
+SolverStateHandle drawn_solver_state(const App& app) {
+  if (!shows_solver(app)) return nullptr;
+  SolverStateHandle state = app.solver->desk.state().newest;
+  return state && same_places(state->task->scene, app.scene) ? state : nullptr;
+}
 
 void draw_solver_state(App& app, Scene& scene) {
-  if (!shows_solver(app)) return;
-  const SolverStateHandle state = app.solver->desk.state().newest;
-  if (!state || !same_places(state->task->scene, app.scene)) return;
+  const SolverStateHandle state = drawn_solver_state(app);
+  if (!state) return;
   scene.radiosity_field = state->field;
   scene.shading.ambient_source = AmbientSource::radiosity;
   if (state->part == LightPart::total) return;
@@ -92,7 +97,7 @@ void draw_solver_state(App& app, Scene& scene) {
 }
 
 bool solver_at_work(const App& app) {
-  if (!shows_solver(app)) return app.settings.side == Side::solver && !app.presenter.on;
+  if (!shows_solver(app)) return app.settings.side == Side::solver;
   const SolverPanel& panel = *app.solver;
   return (!panel.desk.playing() && panel.desk.state().busy) || panel.race.busy() || panel.matrix.busy();
 }
@@ -147,8 +152,9 @@ void draw_solver_panel(App& app) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float height = std::clamp(room.y, app.look.px(270), app.look.px(520));
   if (panel.view == SolverPanel::View::figures) {
-    draw_solver_figures(app, panel, state);
-    return draw_files(app, true);
+    draw_files(app, true);
+    small_gap(app);
+    return draw_solver_figures(app, panel, state);
   }
   if (panel.large) return;
   if (panel.view == SolverPanel::View::error)

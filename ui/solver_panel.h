@@ -32,8 +32,10 @@ struct SolverPanel {
 // The window's own, made at the first call.
 SolverPanel& solver_of(App& app);
 
-// Whether its state is what the panes draw.
+// Whether the panel is open.
 bool shows_solver(const App& app);
+// What the panes draw in place of the solution; null where they do not.
+SolverStateHandle drawn_solver_state(const App& app);
 // The scene with the solver's state drawn in it instead of the solution: of one part of the light alone neither lamps
 // nor what emits. As it was where there is no state of it.
 void draw_solver_state(App& app, Scene& scene);

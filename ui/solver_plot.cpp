@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/verdict.h"
+
 namespace cg {
 
 namespace {
@@ -103,6 +105,13 @@ const Words& short_name(RadiositySolver solver) {
                                                           {"Progressive", "漸進法"},
                                                           {"LU", "LU"}}};
   return names[std::size_t(solver)];
+}
+
+std::optional<Text> lu_note(const SolverRace::Entries& entries) {
+  const SolverRace::Entry& lu = entries[std::size_t(RadiositySolver::lu)];
+  if (lu.curve.empty() || lu.end == SolverEnd::none) return std::nullopt;
+  const std::string seconds = short_number(lu.curve.back().seconds, 2) + " s";
+  return Text("LU takes no sweeps, but " + seconds + ".", "LU はスイープなし：" + seconds);
 }
 
 Plot residual_plot(const SolverRace::Entries& entries, RadiositySolver active, const SolverState* now, double residual,

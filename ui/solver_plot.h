@@ -9,6 +9,9 @@ namespace cg {
 // A solver's name where there is little room.
 const Words& short_name(RadiositySolver solver);
 
+// Why LU is not drawn over sweeps, and how long it took; nothing before it is done.
+std::optional<Text> lu_note(const SolverRace::Entries& entries);
+
 // Over sweeps (linear, and LU has none) or over the seconds that the steps took (logarithmic). The line of `active` is
 // thick; where `now` is not null its place is a point with the index `place_index`. A dashed line is the residual where
 // it stops.

@@ -161,6 +161,8 @@ void draw_solver_error(App& app, SolverPanel& panel, const SolverDesk::State& st
   if (tab(app, "time", Words{"Over time", "計算時間"}.in(l), panel.over_time)) panel.over_time = true;
   ImGui::PopID();
   draw_race_remarks(app, panel);
+  if (const auto note = lu_note(*panel.race.entries()); note && !panel.over_time)
+    small_text(app, note->in(l), app.look.palette.dim);
   keep_plot(app, panel, state.newest);
   const float height = std::max(size.y - (ImGui::GetCursorPosY() - from), app.look.px(220));
   draw_plot(app, panel.plot_view, "solver plot", panel.plot, {size.x, height}, int(place_index));

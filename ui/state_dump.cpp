@@ -114,6 +114,11 @@ void StateDump::place(std::string_view name, ImVec2 low, ImVec2 high) {
       Tree::List{Tree(double(low.x)), Tree(double(low.y)), Tree(double(high.x)), Tree(double(high.y))};
 }
 
+const Tree::List* StateDump::placed(std::string_view name) const {
+  const auto found = places_.find(std::string(name));
+  return found != places_.end() ? found->second.list() : nullptr;
+}
+
 void StateDump::write(App& app, bool busy) {
   Tree out;
   out.at("settings") = values_of(slots(app.settings));

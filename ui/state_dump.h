@@ -19,6 +19,8 @@ class StateDump {
 
   // A control of this frame: its name, and its corners in pixels.
   void place(std::string_view name, ImVec2 low, ImVec2 high);
+  // The left, upper, right and lower edge of one of this frame's controls; null where it is not there.
+  const Tree::List* placed(std::string_view name) const;
   // After a frame: the file is written, on a thread of its own, where something differs. `busy`: what the frame does
   // not know is still being made.
   void write(App& app, bool busy);

@@ -7,7 +7,10 @@
 
 #include "raster/software.h"
 #include "tests/ui/imgui_fixture.h"
+#include "ui/actions.h"
+#include "ui/equation.h"
 #include "ui/radiosity_desk.h"
+#include "ui/solver_plot.h"
 #include "ui/state_dump.h"
 #include "workbench/open.h"
 
@@ -84,8 +87,64 @@ TEST_F(SolverPanelTest, AScenesAmbientTermMayBeConstant) {
   settle();
   ASSERT_NE(now(), nullptr);
   EXPECT_EQ(scene_with_solution(app).shading.ambient_source, AmbientSource::radiosity);
+  // The equation has the letters of what is drawn.
+  EXPECT_EQ(ambient_term(app), "(B − E)");
+  app.settings.solver_part = LightPart::unshot;
+  settle();
+  EXPECT_EQ(ambient_term(app), "ΔB");
+  app.settings.solver_part = LightPart::indirect;
+  settle();
+  EXPECT_EQ(ambient_term(app), "B");
   app.settings.side = Side::none;
   EXPECT_EQ(scene_with_solution(app), app.scene);
+  EXPECT_EQ(ambient_term(app), "I_ak_a");
+}
+
+// LU is one step: a line over time, and words where there are sweeps.
+TEST_F(SolverPanelTest, LuIsDrawnOverTimeAndNamedOverSweeps) {
+  const auto lines = [&](bool over_time) {
+    const Plot plot = residual_plot(*solver_of(app).race.entries(), RadiositySolver::jacobi, nullptr,
+                                    app.scene.radiosity.residual, over_time);
+    std::size_t points = 0;
+    for (const PlotPoint& p : plot.points) points += p.series == std::size_t(RadiositySolver::lu);
+    return std::pair(plot.legend.size(), points);
+  };
+  EXPECT_FALSE(lu_note(*solver_of(app).race.entries()));
+  settle();
+  EXPECT_EQ(lines(true), (std::pair<std::size_t, std::size_t>(solver_count, 1)));
+  EXPECT_EQ(lines(false), (std::pair<std::size_t, std::size_t>(solver_count - 1, 0)));
+  EXPECT_TRUE(lu_note(*solver_of(app).race.entries()));
+}
+
+// What saves and opens a solution is to be seen without scrolling.
+TEST_F(SolverPanelTest, FilesStandAboveTheFigures) {
+  for (const Language language : {Language::english, Language::japanese}) {
+    app.settings.language = language;
+    solver_of(app).view = SolverPanel::View::figures;
+    settle();
+    app.dump = std::make_shared<StateDump>("");  // never written
+    window_frame();
+    for (const Words& label : {Words{"Save …", "保存…"}, Words{"Open …", "開く…"}}) {
+      const Tree::List* corners = app.dump->placed("button:" + std::string(label.in(language)));
+      ASSERT_TRUE(corners) << label.in(language);
+      EXPECT_LT(*(*corners)[3].number(), 720);
+    }
+    app.dump = nullptr;
+  }
+}
+
+// Presented, the panel stands where the lesson's text is, and its state is in the pictures.
+TEST_F(SolverPanelTest, ItIsPresented) {
+  app.presenter.on = true;
+  settle();
+  ASSERT_NE(now(), nullptr);
+  solver_of(app).desk.step();
+  settle();
+  EXPECT_EQ(scene_with_solution(app).radiosity_field, now()->field);
+  EXPECT_EQ(now()->step, 1u);
+  perform(app, Do::solver);
+  settle();
+  EXPECT_NE(scene_with_solution(app).radiosity_field, now()->field);
 }
 
 TEST_F(SolverPanelTest, ScenesWithNextToNothing) {
