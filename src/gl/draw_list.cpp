@@ -21,17 +21,22 @@ std::vector<DrawItem> draw_list(const Scene& scene, const View& view, DrawnBy by
   return items;
 }
 
+LayerUv drawn_layers(const Scene& scene, const DrawItem& item, DrawnBy by) {
+  return layer_uv(scene, std::size_t(item.object), drawn_field(scene, by));
+}
+
 void record_surfaces(const std::vector<DrawItem>& items, bool kept, std::size_t radiosity_buffers,
-                     PassRecorder& record) {
+                     std::size_t uv_buffers, PassRecorder& record) {
   std::vector<const Surface*> all;
-  std::size_t bytes = 0, radiosity = 0;
+  std::size_t bytes = 0, radiosity = 0, uv = 0;
   for (const DrawItem& item : items) {
     if (std::find(all.begin(), all.end(), item.surface.get()) != all.end()) continue;
     all.push_back(item.surface.get());
-    bytes += item.surface->bytes(), radiosity += bytes_of(item.surface->radiosity);
+    bytes += item.surface->bytes(), radiosity += bytes_of(item.surface->radiosity), uv += item.surface->uv_bytes();
   }
   record.item("surfaces", bytes, kept);
   if (radiosity > 0) record.item("radiosity", radiosity + radiosity_buffers, kept);
+  if (uv > 0) record.item("uv", uv + uv_buffers, kept);
 }
 
 }  // namespace cg

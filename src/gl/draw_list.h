@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 #include "shading/ambient_term.h"
 #include "shading/eye_normal.h"
+#include "shading/layer_uv.h"
 #include "shading/light_parts.h"
 #include "shading/surface.h"
 
@@ -26,9 +27,12 @@ struct DrawItem {
 // finite in float, as the software technique does.
 std::vector<DrawItem> draw_list(const Scene& scene, const View& view, DrawnBy by = DrawnBy::light_model);
 
-// The surfaces of the list, each once: their bytes go to `record` as "surfaces", and those of their radiosity with the
-// buffers' of OpenGL, `radiosity_buffers` bytes, as "radiosity" where there is any.
+// The layers of textures that the item is drawn with, and which of its surface's uv each has.
+LayerUv drawn_layers(const Scene& scene, const DrawItem& item, DrawnBy by = DrawnBy::light_model);
+
+// The surfaces of the list, each once: their bytes go to `record` as "surfaces", and those of their radiosity and of
+// their uv, with the bytes of OpenGL's buffers for them, as "radiosity" and "uv" where there are any.
 void record_surfaces(const std::vector<DrawItem>& items, bool kept, std::size_t radiosity_buffers,
-                     PassRecorder& record);
+                     std::size_t uv_buffers, PassRecorder& record);
 
 }  // namespace cg

@@ -29,6 +29,22 @@ constexpr Token tokens[] = {
     {"GL_POSITION", GL_POSITION}, {"GL_SPOT_DIRECTION", GL_SPOT_DIRECTION}, {"GL_SPOT_CUTOFF", GL_SPOT_CUTOFF},
     {"GL_SPOT_EXPONENT", GL_SPOT_EXPONENT}, {"GL_CONSTANT_ATTENUATION", GL_CONSTANT_ATTENUATION},
     {"GL_LINEAR_ATTENUATION", GL_LINEAR_ATTENUATION}, {"GL_QUADRATIC_ATTENUATION", GL_QUADRATIC_ATTENUATION},
+    {"GL_ALPHA_TEST", GL_ALPHA_TEST}, {"GL_GREATER", GL_GREATER},
+    {"GL_TEXTURE_2D", GL_TEXTURE_2D}, {"GL_TEXTURE_WRAP_S", GL_TEXTURE_WRAP_S},
+    {"GL_TEXTURE_WRAP_T", GL_TEXTURE_WRAP_T}, {"GL_REPEAT", GL_REPEAT}, {"GL_MIRRORED_REPEAT", GL_MIRRORED_REPEAT},
+    {"GL_CLAMP_TO_EDGE", GL_CLAMP_TO_EDGE}, {"GL_CLAMP_TO_BORDER", GL_CLAMP_TO_BORDER},
+    {"GL_TEXTURE_MAG_FILTER", GL_TEXTURE_MAG_FILTER}, {"GL_TEXTURE_MIN_FILTER", GL_TEXTURE_MIN_FILTER},
+    {"GL_NEAREST", GL_NEAREST}, {"GL_LINEAR", GL_LINEAR}, {"GL_NEAREST_MIPMAP_NEAREST", GL_NEAREST_MIPMAP_NEAREST},
+    {"GL_LINEAR_MIPMAP_NEAREST", GL_LINEAR_MIPMAP_NEAREST}, {"GL_NEAREST_MIPMAP_LINEAR", GL_NEAREST_MIPMAP_LINEAR},
+    {"GL_LINEAR_MIPMAP_LINEAR", GL_LINEAR_MIPMAP_LINEAR}, {"GL_TEXTURE_LOD_BIAS", GL_TEXTURE_LOD_BIAS},
+    {"GL_TEXTURE_MAX_ANISOTROPY_EXT", GL_TEXTURE_MAX_ANISOTROPY_EXT},
+    {"GL_TEXTURE_BORDER_COLOR", GL_TEXTURE_BORDER_COLOR}, {"GL_TEXTURE_ENV", GL_TEXTURE_ENV},
+    {"GL_TEXTURE_ENV_MODE", GL_TEXTURE_ENV_MODE}, {"GL_TEXTURE_ENV_COLOR", GL_TEXTURE_ENV_COLOR},
+    {"GL_REPLACE", GL_REPLACE}, {"GL_MODULATE", GL_MODULATE}, {"GL_DECAL", GL_DECAL}, {"GL_BLEND", GL_BLEND},
+    {"GL_ADD", GL_ADD},
+    {"GL_TEXTURE0", GL_TEXTURE0}, {"GL_TEXTURE1", GL_TEXTURE1}, {"GL_TEXTURE2", GL_TEXTURE2},
+    {"GL_TEXTURE3", GL_TEXTURE3}, {"GL_TEXTURE4", GL_TEXTURE4}, {"GL_TEXTURE5", GL_TEXTURE5},
+    {"GL_TEXTURE6", GL_TEXTURE6}, {"GL_TEXTURE7", GL_TEXTURE7},
     {"GL_LIGHT0", GL_LIGHT0}, {"GL_LIGHT1", GL_LIGHT1}, {"GL_LIGHT2", GL_LIGHT2}, {"GL_LIGHT3", GL_LIGHT3},
     {"GL_LIGHT4", GL_LIGHT4}, {"GL_LIGHT5", GL_LIGHT5}, {"GL_LIGHT6", GL_LIGHT6}, {"GL_LIGHT7", GL_LIGHT7},
 };
@@ -87,6 +103,21 @@ void reset_material() {
 
 }  // namespace
 
+void reset_texture_units() {
+  constexpr GLfloat black[4] = {0, 0, 0, 0};
+  glDisable(GL_ALPHA_TEST);
+  glMatrixMode(GL_TEXTURE);
+  for (int unit = gl_texture_unit_limit - 1; unit >= 0; --unit) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glDisable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, black);
+    glLoadIdentity();
+  }
+  glMatrixMode(GL_MODELVIEW);
+}
+
 FixedPlayer::FixedPlayer(double aspect) : aspect_(aspect) {
   glClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
   glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
@@ -101,22 +132,28 @@ FixedPlayer::FixedPlayer(double aspect) : aspect_(aspect) {
   glNormal3f(0, 0, 1);
   reset_lights();
   reset_material();
+  reset_texture_units();
 }
 
 void FixedPlayer::play(const GlCall& call) {
-  const bool drawn_elsewhere =
-      call.section == GlSection::mesh || call.section == GlSection::draw || call.function == "glClear";
+  const bool drawn_elsewhere = call.section == GlSection::mesh || call.section == GlSection::draw ||
+                               call.function == "glClear" || call.function == "glBindTexture";
   if (call.missing || call.function.empty() || drawn_elsewhere) return;
-  if (play_matrix(call) || play_light(call) || play_state(call)) return;
+  if (play_matrix(call) || play_light(call) || play_texture(call) || play_state(call)) return;
   throw std::logic_error("gl-fixed does not know " + std::string(call.function));
 }
 
-glm::dmat4& FixedPlayer::matrix() { return projection_mode_ ? projection_ : pushed_.empty() ? view_ : object_; }
+glm::dmat4& FixedPlayer::matrix() {
+  if (mode_ == Mode::texture) return texture_;
+  return mode_ == Mode::projection ? projection_ : pushed_.empty() ? view_ : object_;
+}
 
 bool FixedPlayer::play_matrix(const GlCall& call) {
   const auto number = [&](std::size_t i) { return call.numbers.at(i).value; };
   if (call.function == "glMatrixMode")
-    projection_mode_ = call.tokens.at(0) == "GL_PROJECTION";
+    mode_ = call.tokens.at(0) == "GL_PROJECTION" ? Mode::projection
+            : call.tokens.at(0) == "GL_TEXTURE"  ? Mode::texture
+                                                 : Mode::modelview;
   else if (call.function == "glLoadIdentity")
     matrix() = glm::dmat4(1);
   else if (call.function == "gluPerspective")
@@ -137,7 +174,15 @@ bool FixedPlayer::play_matrix(const GlCall& call) {
     matrix() = matrix() * scaling(vector(call, 0));
   else
     return false;
+  if (mode_ == Mode::texture) load_texture_matrix();
   return true;
+}
+
+// Into the unit that is active.
+void FixedPlayer::load_texture_matrix() const {
+  const glm::mat4 texture(texture_);
+  glMatrixMode(GL_TEXTURE);
+  glLoadMatrixf(&texture[0].x);
 }
 
 // glLight multiplies positions and directions by the modelview matrix of this moment.
@@ -168,6 +213,26 @@ bool FixedPlayer::play_light(const GlCall& call) {
   } else {
     return false;
   }
+  return true;
+}
+
+bool FixedPlayer::play_texture(const GlCall& call) {
+  if (call.function == "glActiveTexture")
+    glActiveTexture(token(call, 0));
+  else if (call.function == "glTexParameteri")
+    glTexParameteri(token(call, 0), token(call, 1), GLint(token(call, 2)));
+  else if (call.function == "glTexParameterf")
+    glTexParameterf(token(call, 0), token(call, 1), floats(call)[0]);
+  else if (call.function == "glTexParameterfv")
+    glTexParameterfv(token(call, 0), token(call, 1), floats(call).data());
+  else if (call.function == "glTexEnvi")
+    glTexEnvi(token(call, 0), token(call, 1), GLint(token(call, 2)));
+  else if (call.function == "glTexEnvfv")
+    glTexEnvfv(token(call, 0), token(call, 1), floats(call).data());
+  else if (call.function == "glAlphaFunc")
+    glAlphaFunc(token(call, 0), floats(call)[0]);
+  else
+    return false;
   return true;
 }
 

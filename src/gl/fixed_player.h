@@ -11,8 +11,8 @@ class FixedPlayer {
   // OpenGL's initial state, but that no colour is clamped outside the light model; `aspect` is width / height.
   explicit FixedPlayer(double aspect);
 
-  // Throws std::logic_error for a call that it does not know. Of glClear, draw_mesh and the body of draw_mesh
-  // (GlSection::mesh) it plays nothing: what is cleared and drawn belongs to the renderer.
+  // Throws std::logic_error for a call that it does not know. Of glClear, glBindTexture, draw_mesh and the body of
+  // draw_mesh (GlSection::mesh) it plays nothing: what is cleared, read and drawn belongs to the renderer.
   void play(const GlCall& call);
 
   const glm::dmat4& projection() const { return projection_; }
@@ -25,15 +25,20 @@ class FixedPlayer {
   bool play_matrix(const GlCall& call);
   bool play_light(const GlCall& call);
   bool play_state(const GlCall& call);
+  bool play_texture(const GlCall& call);
   glm::dmat4& matrix();
   void load_view() const;
+  void load_texture_matrix() const;
 
   double aspect_;
-  bool projection_mode_ = false;
-  glm::dmat4 projection_{1}, view_{1}, object_{1};
+  enum class Mode { modelview, projection, texture } mode_ = Mode::modelview;
+  glm::dmat4 projection_{1}, view_{1}, object_{1}, texture_{1};
   std::vector<glm::dmat4> pushed_;
   glm::vec3 clear_colour_{0};
 };
+
+// No unit has a texture, and each is as OpenGL begins.
+void reset_texture_units();
 
 // What the body of draw_mesh gives OpenGL at each corner.
 struct MeshBody {

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include "shading/gl_calls.h"
 #include "shading/plan_maker.h"
 
 namespace cg {
@@ -56,6 +57,18 @@ bool is_on(GLenum name) {
   return on != 0;
 }
 
+bool any_texture() {
+  GLint active = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  bool any = false;
+  for (int unit = 0; unit < gl_texture_unit_limit; ++unit) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    any = any || glIsEnabled(GL_TEXTURE_2D);
+  }
+  glActiveTexture(GLenum(active));
+  return any;
+}
+
 }  // namespace
 
 void record_fixed_state(PassRecorder& record) {
@@ -68,6 +81,8 @@ void record_fixed_state(PassRecorder& record) {
                                  is_on(GL_CLAMP_VERTEX_COLOR)))
     record.item(id);
   if (glIsEnabled(GL_LIGHTING)) record.item("vertex-lighting");
+  if (any_texture()) record.item("layers");
+  if (glIsEnabled(GL_ALPHA_TEST)) record.item("alpha-test");
   if (glIsEnabled(GL_COLOR_MATERIAL)) record.item("color-material");
 }
 

@@ -7,6 +7,7 @@
 #include "gl/fixed_numbers.h"
 #include "gl/fixed_player.h"
 #include "gl/shader_source.h"
+#include "gl/texture_objects.h"
 #include "shading/fixed_function_scene.h"
 #include "shading/plan_maker.h"
 
@@ -78,14 +79,90 @@ void add_on_demand(const char* id, Words name, bool wanted, Text why, const Coun
         n.pixels * frame_pixel + drawn);
 }
 
+// The pictures of the layers that are drawn, each once, and what holds their uv.
+struct TextureCounts {
+  std::size_t layers = 0, pictures = 0, picture_bytes = 0, uv_sets = 0, uv_bytes = 0;
+  bool tests_alpha = false;  // where Shading::transparency asks for it
+};
+
+// `layers_of`: those of an item, one a texture unit. `copies`: each layer has a texture of its own.
+template <class LayersOf>
+TextureCounts count_textures(const Counts& n, bool copies, const LayersOf& layers_of) {
+  TextureCounts t;
+  std::vector<std::tuple<const TextureImage*, int, Stored>> pictures;
+  for (const DrawItem& item : n.items)
+    for (const TextureLayer* layer : layers_of(item)) {
+      ++t.layers;
+      t.tests_alpha = t.tests_alpha || !is_before_light(layer->target);
+      const std::tuple picture(layer->texture.get(), copies ? int(layer - item.material->layers.data()) : 0,
+                               stored_for(*layer));
+      if (std::find(pictures.begin(), pictures.end(), picture) != pictures.end()) continue;
+      pictures.push_back(picture);
+      t.picture_bytes += texture_bytes(*layer->texture, stored_for(*layer));
+    }
+  t.pictures = pictures.size();
+  for (const Surface* s : n.surfaces)
+    for (const auto& set : s->uv) ++t.uv_sets, t.uv_bytes += 2 * set.size() * sizeof(glm::vec2);
+  return t;
+}
+
+// Of the shaders: what changes something, given the parts of the light model that are in the plan already.
+TextureCounts count_textures(const Scene& scene, const Counts& n, const Plan& plan) {
+  const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
+  return count_textures(n, false, [&](const DrawItem& item) {
+    const LayerUv layers = drawn_layers(scene, item);
+    const EyeMaterial<float> material = changeable(material_in(scene, item), layers.layers);
+    std::vector<const TextureLayer*> out;
+    for (const LayerUse& use : used_layers(layer_uses(layers), light_parts(lighting, material), plan))
+      out.push_back(layers.layers[std::size_t(use.layer)]);
+    return out;
+  });
+}
+
+constexpr Words no_textures{"no material that is drawn has a texture", "描く素材にテクスチャがない"};
+
+void add_texture_uploads(const TextureCounts& t, PlanMaker& p) {
+  p.add({"uv", {"uv of the vertices", "頂点の uv"}, PassKind::resource}, t.uv_sets > 0,
+        counted(t.uv_sets,
+                t.uv_sets == 1 ? " set, in the surfaces and in OpenGL's memory"
+                               : " sets, in the surfaces and in OpenGL's memory",
+                " 組を面と OpenGL のメモリーに置く"),
+        no_textures, t.uv_bytes);
+  p.add({"texture-upload", {"Textures", "テクスチャ"}}, t.pictures > 0,
+        counted(t.pictures,
+                t.pictures == 1 ? " picture with its mipmaps, kept in OpenGL's memory"
+                                : " pictures with their mipmaps, kept in OpenGL's memory",
+                " 枚の画像とミップマップを OpenGL のメモリーに置く"),
+        no_textures, t.picture_bytes);
+}
+
+void add_texture_parts(const Scene& scene, const TextureCounts& t, PlanMaker& p) {
+  const Transparency transparency = scene.shading.transparency;
+  if (t.layers > 0 && (transparency == Transparency::blend || transparency == Transparency::sorted_blend))
+    p.note(Words{"blending is not drawn by this technique: everything is opaque",
+                 "この描画方法は半透明の合成を描けないので、すべて不透明とする"});
+  p.add({"layers", {"Layers of textures", "テクスチャのレイヤー"}, PassKind::part}, t.layers > 0,
+        counted(t.layers, t.layers == 1 ? " layer, read where it is used" : " layers, each read where it is used",
+                " 枚を、使う所で読む"),
+        no_textures);
+  p.add({"alpha-test", {"Alpha test", "アルファテスト"}, PassKind::part},
+        t.tests_alpha && scene.shading.transparency == Transparency::test,
+        Words{"pixels whose alpha is not above the threshold are holes", "アルファがしきい値以下の画素は穴になる"},
+        t.layers == 0 ? no_textures
+        : scene.shading.transparency == Transparency::test
+            ? Words{"no texture of a colour or of opacity", "色や不透明度のテクスチャがない"}
+            : Words{"switched off", "オフ"});
+}
+
 constexpr Words ids_name{"Triangle numbers", "三角形の番号"}, normals_name{"Normals", "法線"};
 constexpr Words nothing_depends_on_n{"nothing depends on N", "N に依存する項がない"};
 constexpr std::size_t id_pixel = 2 * sizeof(std::int32_t), normal_pixel = sizeof(glm::vec3);
 
 // What the shaders of all objects use together.
-void add_programs(const Scene& scene, Counts& n, PlanMaker& p) {
+void add_programs(const Scene& scene, Counts& n, const Plan& plan, PlanMaker& p) {
   const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
-  for (const DrawItem& item : n.items) n.parts |= light_parts(lighting, material_in(scene, item));
+  for (const DrawItem& item : n.items)
+    n.parts |= light_parts(lighting, changeable(material_in(scene, item), drawn_layers(scene, item).layers));
   const bool phong = scene.shading.mode == ShadingMode::phong;
   p.add({"compile", {"Compile shaders", "シェーダーのコンパイル"}}, true, Text{}, {});
   p.add({"vertex-lighting", {"Light vertices", "頂点の光源計算"}, PassKind::part}, !phong,
@@ -99,6 +176,7 @@ void add_programs(const Scene& scene, Counts& n, PlanMaker& p) {
               "フラグメントシェーダーで計算し、後で隠れる画素も含む"},
         Words{"shading is not Phong", "フォンシェーディングでないので不要"});
   add_light_parts(scene, n, n.ambient, p, a_lit_vertex);
+  add_texture_parts(scene, count_textures(scene, n, plan), p);
 }
 
 // What the shaders are made of follows from the plan so far.
@@ -106,7 +184,9 @@ void name_programs(const Scene& scene, const Counts& n, Plan& plan) {
   const auto lighting = lighting_in_eye_space<float>(scene, view_matrix(scene.camera));
   for (const DrawItem& item : n.items) {
     const bool radiosity = !item.surface->radiosity.empty();
-    std::string text = shader_features(scene.shading, plan, lighting, material_in(scene, item), radiosity).text();
+    const LayerUv layers = drawn_layers(scene, item);
+    const EyeMaterial<float> material = changeable(material_in(scene, item), layers.layers);
+    std::string text = shader_features(scene.shading, plan, lighting, material, radiosity, layer_uses(layers)).text();
     if (std::find(plan.code.begin(), plan.code.end(), text) == plan.code.end()) plan.code.push_back(std::move(text));
   }
   for (Pass& pass : plan.passes)
@@ -133,8 +213,9 @@ Plan gl_plan(const Scene& scene, const View& view) {
         view.samples > 1 ? Text(Words{"numbers and normals have no mean", "番号と法線は平均できない"})
                          : Text(Words{"one sample a pixel", "1 画素に 1 標本"}),
         n.pixels * (sizeof(glm::vec4) + sizeof(float)) * std::size_t(std::max(view.samples, 1)));
-  add_programs(scene, n, p);
+  add_programs(scene, n, plan, p);
   add_uploads(n, n.parts.normal() || view.normals, nothing_depends_on_n, p);
+  add_texture_uploads(count_textures(scene, n, plan), p);
   p.add({"draw", {"Draw", "描画"}}, true,
         counted(n.triangles, " triangles: transform, light, rasterise in one go",
                 " 三角形の座標変換、光源計算、ラスタライズを一度に"));
@@ -171,6 +252,9 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
               as_given ? Text(nothing_depends_on_n)
                        : Text(Words{"the mesh's normals are not sent as they are", "メッシュの法線をそのまま送らない"}),
               p);
+  const TextureCounts textures =
+      count_textures(n, true, [&](const DrawItem& item) { return fixed_function_layers(scene, item.object); });
+  add_texture_uploads(textures, p);
   std::size_t largest = 0, largest_triangles = 0;
   for (const Surface* s : n.surfaces) {
     largest = std::max(largest, s->positions.size());
@@ -187,6 +271,7 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
   p.add({"pixel-lighting", {"Light pixels", "画素の光源計算"}, PassKind::part}, false, {},
         Words{"the fixed function lights vertices only", "固定機能は頂点だけを照らす"});
   add_light_parts(told, n, n.ambient, p, a_lit_vertex);
+  add_texture_parts(scene, textures, p);
   p.add({"color-material", {"Colour material", "カラーマテリアル"}, PassKind::part},
         n.parts.radiosity || told.shading.color_material != ColorMaterial::off,
         n.parts.radiosity
@@ -208,6 +293,30 @@ Plan gl_fixed_plan(const Scene& scene, const View& view) {
   return plan;
 }
 
+namespace {
+
+std::optional<Text> layers_unsupported(const Scene& scene, std::size_t object) {
+  if (material_of(scene, scene.objects[object]).layers.empty()) return std::nullopt;
+  const LayerUv uv = layer_uv(scene, object, drawn_field(scene, DrawnBy::fixed_function));
+  for (const TextureLayer* l : uv.layers) {
+    if (l->target != LayerTarget::colour)
+      return Text(Words{"OpenGL's fixed function puts textures on the lit colour only, not on terms of the light model",
+                        "OpenGL の固定機能のテクスチャは照らした後の色にだけ使え、照明モデルの項には使えない"});
+    if (l->amount != 1 || l->scale != 1)
+      return Text(Words{"OpenGL's texture environment has no amount and no scale of a texture",
+                        "OpenGL のテクスチャ環境には、テクスチャの量と倍率の指定がない"});
+    if (!l->perspective)
+      return Text(Words{"OpenGL's texture coordinates are perspective-correct always",
+                        "OpenGL のテクスチャ座標は常に透視補正される"});
+  }
+  if (uv.layers.size() > std::size_t(gl_texture_unit_limit))
+    return Text(Words{"OpenGL's fixed function has 8 texture units: no more than 8 layers",
+                      "OpenGL の固定機能のテクスチャユニットは 8 個なので、レイヤーは 8 つまで"});
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Text> unsupported_by_fixed_function(const Scene& scene) {
   if (scene.shading.mode == ShadingMode::phong)
     return Text(Words{"OpenGL's fixed function has no Phong shading: it lights vertices only",
@@ -215,6 +324,9 @@ std::optional<Text> unsupported_by_fixed_function(const Scene& scene) {
   if (scene.shading.reflection == Reflection::reflection_vector)
     return Text(Words{"OpenGL's fixed function has no (R·V)^n, only (N·H)^n",
                       "OpenGL の固定機能には (R·V)^n がなく、(N·H)^n だけがある"});
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].visible)
+      if (auto why = layers_unsupported(scene, i)) return why;
   return std::nullopt;
 }
 

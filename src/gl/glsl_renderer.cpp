@@ -17,7 +17,8 @@ void throw_if_cancelled(const Progress& progress) {
 
 struct GlslRenderer::Item {
   DrawItem drawn;
-  EyeMaterial<float> material;
+  EyeMaterial<float> material, changeable;
+  LayerUv layers;
   Program* program;
   const GpuSurface* surface;
 };
@@ -38,9 +39,13 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
     const Surface& surface = *drawn.surface;
     const auto material = drawn_material<float>(scene, scene.objects[std::size_t(drawn.object)], surface);
     const bool radiosity = optional(!surface.radiosity.empty());
+    LayerUv layers;
+    if constexpr (!only_plain) layers = drawn_layers(scene, drawn);
+    const EyeMaterial<float> possible = changeable(material, layers.layers);
     bool kept = false;
-    Program& program = programs_.get(shader_features(scene.shading, plan, lighting, material, radiosity), &kept);
-    items.push_back({drawn, material, &program, nullptr});
+    Program& program =
+        programs_.get(shader_features(scene.shading, plan, lighting, possible, radiosity, layer_uses(layers)), &kept);
+    items.push_back({drawn, material, possible, std::move(layers), &program, nullptr});
     if constexpr (only_plain) continue;
     const std::string text = program.features().text();
     const auto same = [&](const CodeRun& c) { return c.parts == text; };
@@ -52,7 +57,7 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
   }
   record.pass("compile", 0, all_kept);
   std::vector<const GpuSurface*> uploaded;
-  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0;
+  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0, uv_bytes = 0;
   all_kept = true;
   for (Item& item : items) {
     const bool normals = item.program->features().has("VERTEX_NORMAL");
@@ -61,13 +66,46 @@ std::vector<GlslRenderer::Item> GlslRenderer::prepare(const Scene& scene, const 
     if (std::find(uploaded.begin(), uploaded.end(), item.surface) != uploaded.end()) continue;
     uploaded.push_back(item.surface);
     bytes += item.surface->bytes, normal_bytes += item.surface->normal_bytes;
-    radiosity_bytes += item.surface->radiosity_bytes;
+    radiosity_bytes += item.surface->radiosity_bytes, uv_bytes += item.surface->uv_bytes;
     all_kept = all_kept && kept;
   }
   record.pass("vertex-upload", bytes, all_kept);
   if (normal_bytes > 0) record.item("normal-buffers", normal_bytes, all_kept);
-  if constexpr (!only_plain) record_surfaces(list, all_kept, radiosity_bytes, record);
+  if constexpr (!only_plain) {
+    record_surfaces(list, all_kept, radiosity_bytes, uv_bytes, record);
+    upload_textures(items, record);
+  }
   return items;
+}
+
+void GlslRenderer::upload_textures(const std::vector<Item>& items, PassRecorder& record) {
+  std::vector<std::pair<const TextureImage*, Stored>> pictures;
+  std::size_t bytes = 0;
+  bool all_kept = true;
+  for (const Item& item : items)
+    for (const LayerUse& use : item.program->features().layers) {
+      const TextureLayer& layer = *item.layers.layers[std::size_t(use.layer)];
+      const std::pair picture(layer.texture.get(), stored_for(layer));
+      if (std::find(pictures.begin(), pictures.end(), picture) != pictures.end()) continue;
+      pictures.push_back(picture);
+      bool kept = false;
+      textures_.get(layer.texture, &kept, 0, picture.second);
+      all_kept = all_kept && kept;
+      bytes += texture_bytes(*layer.texture, picture.second);
+    }
+  if (!pictures.empty()) record.pass("texture-upload", bytes, all_kept);
+}
+
+void GlslRenderer::bind_textures(const Item& item) {
+  const std::vector<LayerUse>& uses = item.program->features().layers;
+  for (int unit = 0; unit < int(uses.size()); ++unit) {
+    const TextureLayer& layer = *item.layers.layers[std::size_t(uses[std::size_t(unit)].layer)];
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, textures_.get(layer.texture, nullptr, 0, stored_for(layer)));
+    samplers_.bind(unit, layer.sampling);
+    item.program->set(unit, layer);
+  }
+  glActiveTexture(GL_TEXTURE0);
 }
 
 void GlslRenderer::draw(const Scene& scene, const View& view, const std::vector<Item>& items, Progress& progress) {
@@ -84,7 +122,9 @@ void GlslRenderer::draw(const Scene& scene, const View& view, const std::vector<
     const ShaderFeatures& uses = program.features();
     const glm::mat4& to_eye = item.drawn.surface_to_eye;
     program.use();
-    program.set(lighting, item.material);
+    program.set(lighting, item.material, item.changeable);
+    if (optional(!uses.layers.empty())) bind_textures(item);
+    if (optional(uses.has("ALPHA_TEST"))) program.set("alpha_threshold", float(scene.shading.alpha_threshold));
     program.set("surface_to_clip", surface_to_clip(to_clip, to_eye));
     if (optional(uses.has("EYE_POSITION"))) program.set("surface_to_eye", to_eye);
     if (only_plain || uses.has("NORMAL"))
@@ -131,6 +171,7 @@ Frame GlslRenderer::render(const Scene& scene, const Plan& plan, const View& vie
     record.pass("normals", target_.bytes().normals + target_.staging_bytes() + bytes_of(frame.normal));
   }
   buffers_.end_frame();
+  textures_.end_frame();
   check_gl("gl frame");
   record.finish(frame);
   return frame;
@@ -140,6 +181,8 @@ void GlslRenderer::release() {
   target_.release();
   buffers_.clear();
   programs_.clear();
+  textures_.clear();
+  samplers_.clear();
 }
 
 }  // namespace cg

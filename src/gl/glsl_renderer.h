@@ -4,6 +4,7 @@
 #include "gl/frame_target.h"
 #include "gl/program.h"
 #include "gl/surface_buffers.h"
+#include "gl/texture_objects.h"
 
 namespace cg {
 
@@ -18,15 +19,20 @@ class GlslRenderer {
   const ProgramCache& programs() const { return programs_; }
   const SurfaceBuffers& buffers() const { return buffers_; }
   const FrameTarget& target() const { return target_; }
+  const TextureObjects& textures() const { return textures_; }
 
  private:
   struct Item;  // what one object is drawn with
+  void upload_textures(const std::vector<Item>& items, PassRecorder& record);
+  void bind_textures(const Item& item);
   std::vector<Item> prepare(const Scene& scene, const Plan& plan, const View& view, PassRecorder& record, Frame& frame);
   void draw(const Scene& scene, const View& view, const std::vector<Item>& items, Progress& progress);
 
   FrameTarget target_;
   SurfaceBuffers buffers_{true};
   ProgramCache programs_;
+  TextureObjects textures_;
+  UnitSamplers samplers_;
 };
 
 }  // namespace cg

@@ -5,6 +5,7 @@
 #include "gl/check.h"
 #include "gl/surface_buffers.h"
 #include "scene/cpu_clock.h"
+#include "shading/layers.h"
 
 namespace cg {
 
@@ -37,6 +38,9 @@ Program::Program(const ShaderSource& source, const ShaderFeatures& features) : f
   glBindAttribLocation(program_, position_attribute, "position");
   glBindAttribLocation(program_, normal_attribute, "normal");
   if (features.has("RADIOSITY")) glBindAttribLocation(program_, radiosity_attribute, "radiosity");
+  if (optional(!features.layers.empty()))
+    for (GLuint pair = 0; pair < most_layers / 2; ++pair)
+      glBindAttribLocation(program_, uv_attribute + pair, ("uv_pair" + std::to_string(pair)).c_str());
   GLuint output = 0;
   glBindFragDataLocation(program_, output++, "colour");
   if (features.has("IDS")) glBindFragDataLocation(program_, output++, "id");
@@ -73,7 +77,8 @@ void Program::find_lights() {
   }
 }
 
-void Program::set(const EyeLighting<float>& lighting, const EyeMaterial<float>& m) {
+void Program::set(const EyeLighting<float>& lighting, const EyeMaterial<float>& m,
+                  const EyeMaterial<float>& changeable) {
   const auto vector = [](GLint to, const glm::vec3& v) {
     if (to >= 0) glUniform3fv(to, 1, &v.x);
   };
@@ -83,7 +88,7 @@ void Program::set(const EyeLighting<float>& lighting, const EyeMaterial<float>& 
   std::size_t next = 0;
   for (const EyeLight<float>& light : lighting.lights) {
     if (next == lights_.size()) break;
-    if (!light_parts(light, m).lit()) continue;
+    if (!light_parts(light, changeable).lit()) continue;
     const LightLocations& to = lights_[next++];
     vector(to.diffuse, light.diffuse), vector(to.position, light.position);
     if constexpr (only_plain) continue;
@@ -94,11 +99,28 @@ void Program::set(const EyeLighting<float>& lighting, const EyeMaterial<float>& 
     if (to.directional >= 0) glUniform1i(to.directional, light.directional);
   }
   if constexpr (only_plain) return set("material.k_d", m.k_d);
+  const std::string material = features_.has("LAYERED_MATERIAL") ? "given." : "material.";
   if (features_.has("AMBIENT")) set("ambient", lighting.ambient);
-  if (features_.has("K_A")) set("material.k_a", m.k_a);
-  if (features_.has("DIFFUSE")) set("material.k_d", m.k_d);
-  if (features_.has("SPECULAR")) set("material.k_s", m.k_s), set("material.n", m.n);
-  if (features_.has("EMISSION")) set("material.emission", m.emission);
+  if (features_.has("K_A")) set(material + "k_a", m.k_a);
+  if (features_.has("DIFFUSE")) set(material + "k_d", m.k_d);
+  if (features_.has("SPECULAR")) set(material + "k_s", m.k_s), set(material + "n", m.n);
+  if (features_.has("EMISSION")) set(material + "emission", m.emission);
+}
+
+void Program::set(int layer, const TextureLayer& numbers) {
+  const std::string n = "[" + std::to_string(layer) + "]", to = "layers" + n + ".";
+  const TextureTransform<float> matrix(numbers.matrix);
+  const glm::vec2 u = matrix.difference({1, 0}), v = matrix.difference({0, 1});
+  set("pictures" + n, layer);
+  set(to + "u", glm::vec2(u.x, v.x)), set(to + "v", glm::vec2(u.y, v.y)), set(to + "offset", matrix.point({0, 0}));
+  set(to + "scale", float(numbers.scale)), set(to + "amount", float(numbers.amount));
+  if (features_.has("BLEND")) set(to + "blend_colour", glm::vec3(numbers.blend_colour));
+  if (!features_.has("LEVEL_ZERO")) return;
+  const Sampling& s = numbers.sampling;
+  glUniform2i(location(to + "wrap"), int(s.wrap_s), int(s.wrap_t));
+  set(to + "linear", int(s.mag_filter == MagFilter::linear));
+  const glm::vec3 border(s.border);
+  glUniform4f(location(to + "border"), border.r, border.g, border.b, float(s.border_alpha));
 }
 
 Program& ProgramCache::get(const ShaderFeatures& features, bool* kept) {

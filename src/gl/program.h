@@ -19,11 +19,15 @@ class Program {
   // Uniforms that the program does not have are left out silently: OpenGL drops those it does not use.
   void set(const std::string& name, float v) { glUniform1f(location(name), v); }
   void set(const std::string& name, int v) { glUniform1i(location(name), v); }
+  void set(const std::string& name, const glm::vec2& v) { glUniform2fv(location(name), 1, &v.x); }
   void set(const std::string& name, const glm::vec3& v) { glUniform3fv(location(name), 1, &v.x); }
   void set(const std::string& name, const glm::mat3& m) { glUniformMatrix3fv(location(name), 1, GL_FALSE, &m[0].x); }
   void set(const std::string& name, const glm::mat4& m) { glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0].x); }
-  // The lights that add something on the material, and the material.
-  void set(const EyeLighting<float>& lighting, const EyeMaterial<float>& material);
+  // The lights that add something on the material, and the material. `changeable`: what layers may make of it.
+  void set(const EyeLighting<float>& lighting, const EyeMaterial<float>& material,
+           const EyeMaterial<float>& changeable);
+  // The numbers of one of `features().layers`, by its index there.
+  void set(int layer, const TextureLayer& numbers);
 
   const ShaderFeatures& features() const { return features_; }
   double compile_ms() const { return compile_ms_; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/draw_list.h"
+#include "gl/layer_source.h"
 
 namespace cg {
 
@@ -12,19 +13,25 @@ namespace cg {
 struct ShaderFeatures {
   std::vector<std::string_view> on;  // static strings
   int lights = 0;
+  std::vector<LayerUse> layers = {};  // in their order: the program's uniform `layers`, and its texture units
 
   bool has(std::string_view name) const;
   // All of them, as a plan shows them: "2 lights POINT NORMAL".
   std::string text() const;
   friend bool operator<(const ShaderFeatures& a, const ShaderFeatures& b) {
-    return a.lights != b.lights ? a.lights < b.lights : a.on < b.on;
+    if (a.lights != b.lights) return a.lights < b.lights;
+    return a.on != b.on ? a.on < b.on : a.layers < b.layers;
   }
 };
 
-// What the shaders need for one object of a scene: nothing that `plan` leaves out. `radiosity`: its vertices bring
-// light of a radiosity solution.
+// Those of `layers` that change something of what `plan` draws of an object with such a (changeable) material.
+std::vector<LayerUse> used_layers(const std::vector<LayerUse>& layers, const LightParts& parts, const Plan& plan);
+
+// What the shaders need for one object of a scene: nothing that `plan` leaves out. `material`: with what layers may
+// make of it (changeable()). `radiosity`: its vertices bring light of a radiosity solution.
 ShaderFeatures shader_features(const Shading& shading, const Plan& plan, const EyeLighting<float>& lighting,
-                               const EyeMaterial<float>& material, bool radiosity = false);
+                               const EyeMaterial<float>& material, bool radiosity = false,
+                               const std::vector<LayerUse>& layers = {});
 // The ids of the plan's parts that are in such a shader.
 std::vector<const char*> part_ids(const ShaderFeatures& features);
 

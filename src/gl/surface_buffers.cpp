@@ -55,6 +55,28 @@ const GpuSurface& SurfaceBuffers::get_with_emission(const SurfaceHandle& surface
   return s;
 }
 
+namespace {
+
+// A vertex's pairs, of set after set.
+std::vector<glm::vec2> interleaved(const std::vector<std::vector<glm::vec2>>& sets) {
+  std::vector<glm::vec2> out;
+  out.reserve(sets.size() * sets[0].size());
+  for (std::size_t v = 0; v < sets[0].size(); ++v)
+    for (const auto& set : sets) out.push_back(set[v]);
+  return out;
+}
+
+}  // namespace
+
+void SurfaceBuffers::uv_attributes(int sets) const {
+  for (int first = 0; arrays_ && first < sets; first += 2) {
+    const GLuint index = uv_attribute + GLuint(first / 2);
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, 2 * std::min(sets - first, 2), GL_FLOAT, GL_FALSE, sets * GLsizei(sizeof(glm::vec2)),
+                          reinterpret_cast<const void*>(std::size_t(first) * sizeof(glm::vec2)));
+  }
+}
+
 void SurfaceBuffers::upload(const SurfaceHandle& surface, UploadedNormals normals, GpuSurface& s) const {
   if (arrays_) {
     glGenVertexArrays(1, &s.array);
@@ -83,19 +105,23 @@ void SurfaceBuffers::upload(const SurfaceHandle& surface, UploadedNormals normal
     fill(GL_ARRAY_BUFFER, s.radiosity, surface->radiosity, s.radiosity_bytes);
     attribute(radiosity_attribute);
   }
+  if (optional(!surface->uv.empty())) {
+    fill(GL_ARRAY_BUFFER, s.uv, interleaved(surface->uv), s.uv_bytes);
+    uv_attributes(int(surface->uv.size()));
+  }
   fill(GL_ELEMENT_ARRAY_BUFFER, s.indices, surface->indices, s.bytes);
   if (arrays_) glBindVertexArray(0);
 }
 
 void SurfaceBuffers::release(GpuSurface& s) {
-  for (GLuint* buffer : {&s.positions, &s.indices, &s.normals, &s.radiosity})
+  for (GLuint* buffer : {&s.positions, &s.indices, &s.normals, &s.radiosity, &s.uv})
     if (*buffer) glDeleteBuffers(1, buffer);
   if (s.array) glDeleteVertexArrays(1, &s.array);
 }
 
 std::size_t SurfaceBuffers::bytes() const {
   std::size_t all = 0;
-  for (const auto& [key, s] : buffers_) all += s.bytes + s.normal_bytes + s.radiosity_bytes;
+  for (const auto& [key, s] : buffers_) all += s.bytes + s.normal_bytes + s.radiosity_bytes + s.uv_bytes;
   return all;
 }
 

@@ -13,15 +13,16 @@ namespace cg {
 enum class UploadedNormals { none, given, within_float };
 
 // Positions, normals and radiosity are three floats each, tightly packed, in a buffer each; normals only where they are
-// needed, radiosity where the surface has it.
+// needed, radiosity and uv where the surface has them.
 struct GpuSurface {
   SurfaceHandle surface;
   GLuint positions = 0, indices = 0, normals = 0;
   GLuint radiosity = 0;  // in a legacy context with the emission below: the two are OpenGL's one emission there
   glm::vec3 emission{0};
-  GLuint array = 0;  // vertex array object: attribute 0 position, 1 normal, 2 radiosity; 0 in a legacy context
-  // As they were asked of OpenGL.
-  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0;  // positions and indices; normals; radiosity
+  GLuint uv = 0;     // all sets: each vertex's pairs one after the other
+  GLuint array = 0;  // vertex array object: the attributes below; 0 in a legacy context
+  // As they were asked of OpenGL: positions and indices; normals; radiosity; uv.
+  std::size_t bytes = 0, normal_bytes = 0, radiosity_bytes = 0, uv_bytes = 0;
   long last_used = 0;
 
   void draw() const;  // the buffers or the array must be bound
@@ -45,13 +46,14 @@ class SurfaceBuffers {
  private:
   static void release(GpuSurface& s);
   void upload(const SurfaceHandle& surface, UploadedNormals normals, GpuSurface& s) const;
+  void uv_attributes(int sets) const;
   bool arrays_;
   long frame_ = 0;
   std::map<std::pair<const Surface*, UploadedNormals>, GpuSurface>
       buffers_;  // each keeps its surface, so that no address is used twice
 };
 
-// position attribute = 0, normal = 1, radiosity = 2, in every program of ours
-inline constexpr GLuint position_attribute = 0, normal_attribute = 1, radiosity_attribute = 2;
+// In every program of ours. Of uv, two sets share an attribute, the first one's.
+inline constexpr GLuint position_attribute = 0, normal_attribute = 1, radiosity_attribute = 2, uv_attribute = 3;
 
 }  // namespace cg

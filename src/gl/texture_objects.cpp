@@ -40,10 +40,11 @@ struct Storage {
 };
 
 // By the kind of level 0. OpenGL has no sRGB of 16 bits: such an image goes as light, in floats.
-Storage storage_of(const TextureImage& image) {
-  const bool srgb = image.encoding() == Encoding::srgb;
-  if (std::holds_alternative<Image<glm::u8vec4>>(image.texels(0))) return {srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, 4};
-  if (std::holds_alternative<Image<glm::u16vec4>>(image.texels(0)) && !srgb) return {GL_RGBA16, 8};
+Storage storage_of(const TextureImage& image, Stored stored) {
+  const bool srgb = image.encoding() == Encoding::srgb, fine = stored == Stored::fine;
+  const bool bytes = std::holds_alternative<Image<glm::u8vec4>>(image.texels(0));
+  if (bytes && !fine) return {srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, 4};
+  if ((bytes || std::holds_alternative<Image<glm::u16vec4>>(image.texels(0))) && !srgb) return {GL_RGBA16, 8};
   return {GL_RGBA32F, 16};
 }
 
@@ -66,38 +67,75 @@ void upload(GLint level, GLint format, const TextureImage& image) {
 
 }  // namespace
 
-void set_sampling(GLenum target, const Sampling& s) {
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap_of(s.wrap_s));
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap_of(s.wrap_t));
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, s.mag_filter == MagFilter::linear ? GL_LINEAR : GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter_of(s.min_filter));
-  glTexParameterf(target, GL_TEXTURE_LOD_BIAS, float(s.bias));
+namespace {
+
+// `i`, `f` and `fv` set a parameter: of a texture, or of a sampler object.
+template <class SetInteger, class SetNumber, class SetNumbers>
+void set_parameters(const Sampling& s, SetInteger i, SetNumber f, SetNumbers fv) {
+  i(GL_TEXTURE_WRAP_S, wrap_of(s.wrap_s));
+  i(GL_TEXTURE_WRAP_T, wrap_of(s.wrap_t));
+  i(GL_TEXTURE_MAG_FILTER, s.mag_filter == MagFilter::linear ? GL_LINEAR : GL_NEAREST);
+  i(GL_TEXTURE_MIN_FILTER, filter_of(s.min_filter));
+  f(GL_TEXTURE_LOD_BIAS, float(s.bias));
   if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
-    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, float(s.anisotropy));
+    f(GL_TEXTURE_MAX_ANISOTROPY_EXT, float(s.anisotropy));
   const glm::vec4 border(glm::vec3(s.border), float(s.border_alpha));
-  glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &border.x);
+  fv(GL_TEXTURE_BORDER_COLOR, &border.x);
 }
 
-GLuint TextureObjects::get(const TextureHandle& image, bool* kept) {
-  Kept& k = kept_[image.get()];
+}  // namespace
+
+void set_sampling(GLenum target, const Sampling& s) {
+  set_parameters(
+      s, [&](GLenum name, GLint v) { glTexParameteri(target, name, v); },
+      [&](GLenum name, GLfloat v) { glTexParameterf(target, name, v); },
+      [&](GLenum name, const GLfloat* v) { glTexParameterfv(target, name, v); });
+}
+
+std::size_t texture_bytes(const TextureImage& image, Stored stored) {
+  std::size_t texels = 0;
+  for (int level = 0; level < image.levels(); ++level)
+    texels += std::size_t(image.width(level)) * std::size_t(image.height(level));
+  return texels * storage_of(image, stored).texel_bytes;
+}
+
+void UnitSamplers::bind(int unit, const Sampling& s) {
+  while (int(names_.size()) <= unit) glGenSamplers(1, &names_.emplace_back());
+  const GLuint name = names_[std::size_t(unit)];
+  set_parameters(
+      s, [&](GLenum what, GLint v) { glSamplerParameteri(name, what, v); },
+      [&](GLenum what, GLfloat v) { glSamplerParameterf(name, what, v); },
+      [&](GLenum what, const GLfloat* v) { glSamplerParameterfv(name, what, v); });
+  glBindSampler(GLuint(unit), name);
+}
+
+void UnitSamplers::unbind(int units) {
+  for (int i = 0; i < units; ++i) glBindSampler(GLuint(i), 0);
+}
+
+void UnitSamplers::clear() {
+  if (!names_.empty()) glDeleteSamplers(GLsizei(names_.size()), names_.data());
+  names_.clear();
+}
+
+GLuint TextureObjects::get(const TextureHandle& image, bool* kept, int copy, Stored stored) {
+  Kept& k = kept_[{image.get(), copy, stored}];
   k.last_used = frame_;
   if (kept) *kept = k.image != nullptr;
   if (k.image) return k.name;
   try {
-    const Storage storage = storage_of(*image);
+    const Storage storage = storage_of(*image, stored);
     glGenTextures(1, &k.name);
     glBindTexture(GL_TEXTURE_2D, k.name);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, image->levels() - 1);
-    for (int level = 0; level < image->levels(); ++level) {
-      upload(level, storage.format, *image);
-      k.bytes += std::size_t(image->width(level)) * std::size_t(image->height(level)) * storage.texel_bytes;
-    }
+    for (int level = 0; level < image->levels(); ++level) upload(level, storage.format, *image);
+    k.bytes = texture_bytes(*image, stored);
     glBindTexture(GL_TEXTURE_2D, 0);
     check_gl("texture upload");
   } catch (...) {
     glDeleteTextures(1, &k.name);
-    kept_.erase(image.get());
+    kept_.erase({image.get(), copy, stored});
     throw;
   }
   k.image = image;

@@ -36,5 +36,9 @@ void add_light_calls(const Scene& scene, GlCallList& list);
 inline const RadiosityField* field_of_calls(const Scene& scene) { return drawn_field(scene, DrawnBy::fixed_function); }
 
 void add_object_calls(const Scene& scene, GlCallList& list);
+// The texture units of an object; `units_on`: how many the object before it left on, and this one leaves.
+void add_texture_calls(const Scene& scene, int object, int& units_on, GlCallList& list);
+// Of each corner, in the body of draw_mesh.
+void add_texture_coordinates(const Scene& scene, GlCallList& list);
 
 }  // namespace cg

@@ -139,6 +139,7 @@ void add_mesh(const Scene& scene, GlCallList& list) {
     color.path = "shading.ambient_source";
     color.notes.push_back(Words{"emission + radiosity of this vertex", "発光 + この頂点のラジオシティ"});
   }
+  add_texture_coordinates(scene, list);
   add_normal(scene.mistakes, list);
   list.add("glVertex3fv", {"vertex"});
   list.add("glEnd", {});

@@ -8,7 +8,9 @@
 // local viewer, two sides, clamping, each step of a transform. A reflectance that follows glColor has no glMaterial.
 // Where a radiosity solution is drawn (ambient_term.h), the emission of the objects that take part follows a glColor at
 // each vertex, and every reflectance has its glMaterial.
-// Objects that are not visible are left out; objects of one material, one after the other, share its calls.
+// A texture unit has its four choices of wraps and filters and its environment always, its matrix where some layer of
+// the scene has one, and glActiveTexture where the scene has more than one. Objects that are not visible are left out;
+// objects of one material, one after the other, share its calls.
 //
 // Which GL_LIGHTi is a light of the scene: its own index, where the scene has at most 8; a light that is off is then
 // said too, with glDisable. In larger scenes the lights that are on are numbered in order, and those from the ninth
@@ -36,6 +38,8 @@ enum class GlSection {
   // normal ) and one glVertex3fv( vertex ), glEnd. Where the program lights by hand, glColor3fv( shade( vertex, normal
   // ) ) stands for the normal; "no_normal" there is (0, 0, 1), and flipped( normal ) is -normal. Where a radiosity
   // solution is drawn, glColor3fv( radiosity ) comes first: the material's emission and the solution's light there.
+  // With textures, glTexCoord2fv( uv ) stands before the normal, and for each unit after the first
+  // glMultiTexCoord2fv( GL_TEXTUREi, uvi ).
   mesh
 };
 
@@ -59,6 +63,7 @@ struct GlCall {
   std::string path;               // of the parameter that the call as a whole says ("shading.mode"), else empty
   int light = -1;                 // into Scene::lights
   int object = -1;                // into Scene::objects
+  int layer = -1;                 // into the layers of the object's material
   std::string_view mistake = {};  // this is the guilty line: the name of the member of Mistakes
   bool missing = false;           // the mistake is that this call is not there: not played, not in the program
   std::vector<Text> notes = {};   // OpenGL's limits that it meets, to be written as comments before it
@@ -71,6 +76,11 @@ std::vector<GlCall> gl_calls(const Scene& scene);
 // The mistakes that the fixed function cannot make: the program then has a light model of its own, in C, that lights
 // each vertex (shading/own_light_model.h), and GL_LIGHTING is off. What glLight and glMaterial said is read back there.
 inline bool lights_by_hand(const Mistakes& m) { return m.no_gate || m.long_light_vector; }
+
+// The layers of textures that the fixed function draws of an object, one a texture unit: those of the lit colour. It
+// has at most 8 units (Mesa's number; The OpenGL Graphics System 2.1, section 3.8.15, promises 2).
+inline constexpr int gl_texture_unit_limit = 8;
+std::vector<const TextureLayer*> fixed_function_layers(const Scene& scene, int object);
 
 // The name in the program of GL_LIGHTi ("light0"), and of an object's material: "material", or "material2" where object
 // 2 has its own.

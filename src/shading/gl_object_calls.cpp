@@ -135,6 +135,7 @@ void add_transform(const Object& o, int object, GlCallList& list) {
 
 void add_object_calls(const Scene& scene, GlCallList& list) {
   int last = -1;  // whose material's calls stand last
+  int units_on = 0;
   const RadiosityField* field = field_of_calls(scene);
   for (int i = 0; i < int(scene.objects.size()); ++i) {
     const Object& o = scene.objects[std::size_t(i)];
@@ -145,6 +146,7 @@ void add_object_calls(const Scene& scene, GlCallList& list) {
     const bool other = last < 0 || o.own_material || scene.objects[std::size_t(last)].own_material ||
                        takes_part(field, last) != takes_part(field, i);
     if (other || color_changed) add_material(scene, i, list);
+    if (other) add_texture_calls(scene, i, units_on, list);
     last = i;
     list.section = GlSection::draw;
     list.add("draw_mesh", {"mesh" + std::to_string(i)}).object = i;

@@ -4,6 +4,7 @@
 
 #include "params/file.h"
 #include "params/input_error.h"
+#include "shading/gl_calls.h"
 #include "workbench/preset.h"
 
 namespace cg {
@@ -25,6 +26,14 @@ void require_extension(const fs::path& file, const std::string& extension) {
                    {"this export is a file that ends in " + extension,
                     "この書き出しのファイル名は " + extension + " で終わる必要がある"},
                    {example + " would work", example + " なら書き出せる"});
+}
+
+// A program's textures would be files beside it.
+void refuse_textures(const Scene& scene, const std::string& where) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].visible && !fixed_function_layers(scene, int(i)).empty())
+      throw InputError(where, {"a scene with textures has no C export", "テクスチャのあるシーンは C に書き出せない"},
+                       {"without its layers, or as JSON, it would work", "レイヤーを外すか、JSON なら書き出せる"});
 }
 
 // The OBJ of a GLUT program may replace an older one, but not a model that the user has.
@@ -52,8 +61,10 @@ std::string export_text(const Scene& scene, ExportFormat format, Language langua
     case ExportFormat::json:
       return to_json(preset_of(scene)) + "\n";
     case ExportFormat::c:
+      refuse_textures(scene, "C");
       return export_c(scene, language);
     case ExportFormat::glut:
+      refuse_textures(scene, "C");
       return export_glut(scene, "scene.obj", language);
     case ExportFormat::obj:
       return export_obj(scene);
@@ -68,6 +79,7 @@ void save_export(const Scene& scene, ExportFormat format, const fs::path& file, 
       return save_preset(scene, file);
     case ExportFormat::c:
       require_extension(file, ".c");
+      refuse_textures(scene, file.string());
       return save_file(file, export_c(scene, language));
     case ExportFormat::obj:
       require_extension(file, ".obj");
@@ -76,6 +88,7 @@ void save_export(const Scene& scene, ExportFormat format, const fs::path& file, 
       break;
   }
   require_extension(file, ".c");
+  refuse_textures(scene, file.string());
   const fs::path obj = fs::path(file).replace_extension(".obj");
   refuse_to_replace(obj);
   const std::string text = export_glut(scene, obj.filename().string(), language);

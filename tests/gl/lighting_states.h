@@ -225,7 +225,7 @@ class LightingPictures {
       of_this.passes[1].needed = b.scene.shading.local_viewer;
       Program& program = programs_.get(shader_features(b.scene.shading, of_this, lighting, material));
       program.use();
-      program.set(lighting, material);
+      program.set(lighting, material, material);
       program.set("surface_to_clip", surface_to_clip(points_projection(), object));
       program.set("surface_to_eye", object);
       program.set("normal_to_eye", normals_to_eye<float>(scaling(kind.scale), b.scene.shading.normal_length).matrix);

@@ -45,6 +45,14 @@ Light light_of(LightKind kind) {
   return light;
 }
 
+// Pixels with a channel that differs by more.
+std::size_t beyond(const Difference& d, float error) {
+  const auto& pixels = d.error.pixels();
+  return std::size_t(std::count_if(pixels.begin(), pixels.end(), [&](const glm::vec3& e) {
+    return std::max({std::abs(e.r), std::abs(e.g), std::abs(e.b)}) > error;
+  }));
+}
+
 }  // namespace
 
 Model shape_model(const std::string& id) { return {id, {object_of(make_shape(*find_shape(id)), {})}}; }
@@ -164,7 +172,8 @@ std::vector<Result> Comparison::compare(const Scene& scene, const std::string& w
                d.covered,
                d.over_1_255,
                d.max_error,
-               left_out.size()};
+               left_out.size(),
+               beyond(d, 3.0f / 255)};
       if (!r.passes() && !pictures.empty()) {
         std::string name = r.what;
         std::replace(name.begin(), name.end(), ' ', '_');

@@ -40,6 +40,7 @@ struct Result {
   std::size_t coverage_mismatch = 0, covered = 0, over_1_255 = 0;
   double max_error = 0;          // 0..1
   std::size_t on_cone_edge = 0;  // pixels left out: see Comparison
+  std::size_t over_3_255 = 0;
   bool passes() const {
     return coverage_mismatch <= 5 && max_error <= 2.0 / 255 + 1e-6 && over_1_255 * 1000 <= covered;
   }

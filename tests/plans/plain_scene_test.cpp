@@ -267,7 +267,9 @@ TEST_F(PlainGlsl, TheFullSceneHasItAll) {
             "lights[2].specular", "surface_to_eye", "normal_to_world", "object"})
         EXPECT_TRUE(uniforms.count(name)) << name;
       EXPECT_EQ(bytes_of_buffers(), bytes_of(frame, "vertex-upload") + bytes_of(frame, "normal-buffers") +
-                                        bytes_of(frame, "radiosity") / 2);  // the other half is the surface's
+                                        bytes_of(frame, "radiosity") / 2 +  // the other half is the surface's
+                                        bytes_of(frame, "uv") / 2);
+      EXPECT_EQ(r.textures().bytes(), bytes_of(frame, "texture-upload"));
       EXPECT_EQ(bytes_of_renderbuffers(),
                 bytes_of(frame, "target") + r.target().bytes().ids + r.target().bytes().normals);
     });

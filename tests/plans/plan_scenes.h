@@ -21,7 +21,8 @@ inline Scene plain_scene() {
   return s;
 }
 
-// Everything that there is, at once: three kinds of light, two objects with materials of their own, both sides.
+// Everything that there is, at once: three kinds of light, two objects with materials of their own, both sides, a
+// texture.
 inline Scene full_scene() {
   Scene s = scene_with(sphere_mesh());
   s.objects.push_back(s.objects[0]);
@@ -29,6 +30,10 @@ inline Scene full_scene() {
   s.objects[1].transform.translate = {1, 0, 0.5};
   s.objects[1].own_material = true;
   s.objects[1].material.emission = {0.1, 0, 0};
+  s.objects[1].material.layers.emplace_back();
+  s.objects[1].material.layers[0].texture = TextureImage::placeholder();
+  s.objects[1].material.layers[0].uv = UvSource::projector;
+  s.shading.transparency = Transparency::test;
   s.material.k_s = {0.5, 0.5, 0.5};
   s.lights.resize(3, s.lights[0]);
   s.lights[0].kind = LightKind::directional;

@@ -108,8 +108,7 @@ TEST_P(Plans, TheFullSceneUsesEverything) {
   for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud, ShadingMode::phong}) {
     Scene scene = full_scene_with_radiosity();
     scene.shading.mode = mode;
-    add_textures(scene);
-    scene.shading.transparency = Transparency::test;
+    if (technique().id != "gl-fixed") add_textures(scene);  // which has those of the lit colour alone
     scene.shading.color_material = ColorMaterial::ambient_and_diffuse;
     scene.mistakes.flipped_normals = mode == ShadingMode::flat;
     if (technique().unsupported(scene)) continue;
@@ -148,6 +147,7 @@ TEST(Reuse, OnlyLightAndMaterialLeaveTheTrianglesWhereTheyAre) {
     return false;
   };
   Scene scene = full_scene();
+  scene.shading.transparency = Transparency::opaque;  // with holes, what is seen depends on the pictures
   const View view = view_of(64, 48);
   EXPECT_FALSE(draw_both(scene, view));
   EXPECT_TRUE(draw_both(scene, view));

@@ -32,6 +32,9 @@ out ivec2 id;
 in vec3 world_normal;
 out vec4 normal_out;
 #endif
+#ifdef ALPHA_TEST
+uniform float alpha_threshold;
+#endif
 
 void main() {
 #ifdef PHONG
@@ -45,9 +48,15 @@ void main() {
 #else
   facing = N;
 #endif
+#ifdef NORMAL_LAYERS
+  facing = layered_normal(facing, at);
+#endif
 #ifdef TWO_SIDED
   if (!gl_FrontFacing) facing = -facing;
 #endif
+#endif
+#ifdef LAYERED_MATERIAL
+  apply_layers();
 #endif
 #ifdef RADIOSITY
   colour = vec4(light_point(at, facing, B), 1.0);
@@ -60,6 +69,15 @@ void main() {
 #else
   colour = vec4(front, 1.0);
 #endif
+#endif
+#ifdef COMPOSED
+  colour = layered_colour(colour);
+#ifdef CLAMP
+  colour.rgb = clamp(colour.rgb, 0.0, 1.0);
+#endif
+#endif
+#ifdef ALPHA_TEST
+  if (!(colour.a > alpha_threshold)) discard;
 #endif
 #ifdef IDS
   id = ivec2(object, gl_PrimitiveID);

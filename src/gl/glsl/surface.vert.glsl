@@ -65,6 +65,14 @@ void main() {
 #ifdef NORMAL
   N = eye_normal(normal);
 #endif
+#ifdef TEXTURED
+  pass_uv();
+#endif
+#ifndef PHONG
+#ifdef LAYERED_MATERIAL
+  apply_layers();
+#endif
+#endif
 #ifdef RADIOSITY
 #ifdef PHONG
   B = radiosity;

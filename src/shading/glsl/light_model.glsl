@@ -17,7 +17,12 @@ struct EyeMaterial {
   vec3 emission;
 #endif
 };
+#ifdef LAYERED_MATERIAL
+uniform EyeMaterial given;
+EyeMaterial material;  // as the layers of textures leave it
+#else
 uniform EyeMaterial material;
+#endif
 #endif
 
 #ifdef AMBIENT
