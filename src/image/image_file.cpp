@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <new>
 
 #include "image/blocks.h"
@@ -168,8 +169,38 @@ void write_image(const fs::path& file, const ColourImage& linear, const Display&
   });
 }
 
+namespace {
+
+// `channels`: 3 or 4.
+std::string encode_picture(const fs::path& file, ImageFormat format, const Picture& picture, int channels,
+                           ImageProgram& program) {
+  const std::size_t row = std::size_t(channels) * std::size_t(picture.width());
+  std::vector<std::uint8_t> rows;
+  return with_memory(file, [&] {
+    const EncodeOrder order{picture.width(), picture.height(), channels, format, Sample::u8};
+    return encode(file, order, row, program, [&](int y, int n) {
+      rows.resize(row * std::size_t(n));
+      std::uint8_t* to = rows.data();
+      const glm::u8vec4* from = picture.row(y);
+      for (std::size_t i = 0; i < std::size_t(picture.width()) * std::size_t(n); ++i, to += channels)
+        std::memcpy(to, &from[i], std::size_t(channels));
+      return rows.data();
+    });
+  });
+}
+
+}  // namespace
+
 void write_image(const fs::path& file, const Picture& picture, ImageProgram& program) {
   const std::string bytes = encode_image(file, format_to_write(file), picture, program);
+  with_memory(file, [&] { save_file(file, bytes); });
+}
+
+void write_image_with_alpha(const fs::path& file, const Picture& picture, ImageProgram& program) {
+  if (format_to_write(file) != ImageFormat::png)
+    throw InputError(file.string(), {"only a PNG is written with alpha", "アルファつきで書けるのは PNG だけ"},
+                     {"use .png", ".png を使う"});
+  const std::string bytes = encode_picture(file, ImageFormat::png, picture, 4, program);
   with_memory(file, [&] { save_file(file, bytes); });
 }
 
@@ -177,19 +208,7 @@ std::string encode_image(const fs::path& file, ImageFormat format, const Picture
   if (format == ImageFormat::exr || format == ImageFormat::hdr)
     throw InputError(file.string(), {"this picture has 8 bits a channel", "8 ビットの画像です"},
                      {"use .png or .jpg", ".png か .jpg を使ってください"});
-  const std::size_t row = 3 * std::size_t(picture.width());
-  std::vector<std::uint8_t> rows;
-  return with_memory(file, [&] {
-    const EncodeOrder order{picture.width(), picture.height(), 3, format, Sample::u8};
-    return encode(file, order, row, program, [&](int y, int n) {
-      rows.resize(row * std::size_t(n));
-      std::uint8_t* to = rows.data();
-      const glm::u8vec4* from = picture.row(y);
-      for (std::size_t i = 0; i < rows.size() / 3; ++i, to += 3)
-        to[0] = from[i].r, to[1] = from[i].g, to[2] = from[i].b;
-      return rows.data();
-    });
-  });
+  return encode_picture(file, format, picture, 3, program);
 }
 
 }  // namespace cg

@@ -35,6 +35,9 @@ void write_image(const std::filesystem::path& file, const ColourImage& linear, c
 // Writes what a screen shows: .png or .jpg. Alpha is not written.
 void write_image(const std::filesystem::path& file, const Picture& picture,
                  ImageProgram& program = ImageProgram::shared());
+// The same with its alpha, and colour as it is, not multiplied by it: .png.
+void write_image_with_alpha(const std::filesystem::path& file, const Picture& picture,
+                            ImageProgram& program = ImageProgram::shared());
 
 // The bytes of what write_image() would save, or of a GIF with one frame. `file` is named in errors.
 std::string encode_image(const std::filesystem::path& file, ImageFormat format, const Picture& picture,

@@ -33,6 +33,7 @@ Encoder::Encoder(const EncodeOrder& order) : order_(order) {
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   spec.attribute("oiio:ColorSpace", is_linear(order.format) ? "Linear" : "sRGB");
   spec.attribute("Software", "Shadebench");
+  if (order.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);  // as it comes, not divided by alpha
   if (order.format == ImageFormat::png) spec.attribute("png:compressionLevel", 3);
   if (order.format == ImageFormat::jpeg) {
     spec.attribute("CompressionQuality", 95);
