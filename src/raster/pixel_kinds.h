@@ -8,6 +8,9 @@
 
 namespace cg {
 
+// Of each file that includes it: the compiler knows all calls, and the loops over a picture hold what they call.
+namespace {
+
 template <class Real>
 bool shows_back(const DeferredShading<Real>& shading, const SeenTriangle& t) {
   return optional(shading.lighting.two_sided) && !is_front_face(t.window);
@@ -155,5 +158,7 @@ class PhongPixels {
   const DeferredShading<Real>& shading_;
   RecentTriangles<Triangle> recent_;
 };
+
+}  // namespace
 
 }  // namespace cg

@@ -6,6 +6,9 @@
 
 namespace cg {
 
+// Of each file that includes it: the compiler knows all calls, and the loops over a picture hold what they call.
+namespace {
+
 inline constexpr std::size_t rows_of_pixels_a_part = 8;
 
 // Where eight pixels stand: the first one's x; y counted from the bottom; those that show a triangle.
@@ -102,5 +105,7 @@ void shade_rows(const Drawing& drawing, const VisibilityBuffer& visibility, cons
   });
   frame.nan_pixels = bad.load();
 }
+
+}  // namespace
 
 }  // namespace cg
