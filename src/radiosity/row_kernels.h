@@ -9,20 +9,17 @@
 
 namespace cg {
 
-// The next eight numbers, in double. (GCC makes five instructions of what is one.)
-inline Lanes<double> next_lanes(const float* p) {
+// The next eight numbers, in double. (GCC makes five instructions of what is one.) By reference, as everything here:
+// how such a vector is returned depends on the machine that is compiled for, and compilers complain of it.
+inline void next_lanes(const float* p, Lanes<double>& out) {
 #ifdef __AVX512F__
   // Of all lanes, though with a mask: GCC 12 takes what _mm512_cvtps_pd() leaves open for a mistake.
-  return Lanes<double>(_mm512_maskz_cvtps_pd(__mmask8(-1), _mm256_loadu_ps(p)));
+  out = Lanes<double>(_mm512_maskz_cvtps_pd(__mmask8(-1), _mm256_loadu_ps(p)));
 #else
-  return Lanes<double>{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
+  out = Lanes<double>{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
 #endif
 }
-inline Lanes<double> next_lanes(const double* p) {
-  Lanes<double> v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
+inline void next_lanes(const double* p, Lanes<double>& out) { std::memcpy(&out, p, sizeof out); }
 
 // sum += a b, rounded once where the machine can: half the arithmetic.
 inline void add_product(const Lanes<double>& a, const Lanes<double>& b, Lanes<double>& sum) {
@@ -48,13 +45,15 @@ void dot(const Real* rows, std::size_t stride, const Channels& x, glm::dvec3* ou
   const std::size_t n = x.padded_size();
   Lanes<double> red[Rows] = {}, green[Rows] = {}, blue[Rows] = {};
   for (std::size_t j = 0; j < n; j += lanes) {
-    const Lanes<double> xr = next_lanes(r + j), xg = next_lanes(g + j), xb = next_lanes(b + j);
+    Lanes<double> xr, xg, xb;
+    next_lanes(r + j, xr), next_lanes(g + j, xg), next_lanes(b + j, xb);
     const std::size_t fetched = j + ahead < n ? ahead : ahead + (Rows - 1) * stride;
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < Rows; ++k) {
       const Real* row = rows + k * stride + j;
       __builtin_prefetch(row + fetched);
-      const Lanes<double> f = next_lanes(row);
+      Lanes<double> f;
+      next_lanes(row, f);
       add_product(f, xr, red[k]), add_product(f, xg, green[k]), add_product(f, xb, blue[k]);
     }
   }
@@ -66,23 +65,26 @@ inline glm::dvec3 dot(const std::vector<FormFactor>& row, const Channels& x) {
   constexpr std::size_t at_once = 8, ahead = 128;
   const Quad* quads = x.quads();
   const FormFactor* f = row.data();
-  const auto term = [&](std::size_t k) { return double(f[k].value) * quads[f[k].patch]; };
+  const auto add = [&](std::size_t k, Quad& sum) { sum += double(f[k].value) * quads[f[k].patch]; };
   Quad a{}, b{}, c{}, d{};
   std::size_t k = 0;
   for (; k + at_once <= row.size(); k += at_once) {
     __builtin_prefetch(f + k + ahead);
-    a += term(k), b += term(k + 1), c += term(k + 2), d += term(k + 3);
-    a += term(k + 4), b += term(k + 5), c += term(k + 6), d += term(k + 7);
+    add(k, a), add(k + 1, b), add(k + 2, c), add(k + 3, d);
+    add(k + 4, a), add(k + 5, b), add(k + 6, c), add(k + 7, d);
   }
-  for (; k < row.size(); ++k) a += term(k);
+  for (; k < row.size(); ++k) add(k, a);
   const Quad sum = (a + b) + (c + d);
   return {sum[0], sum[1], sum[2]};
 }
 
 // sum_j row_j x_j of one channel; a dense row and x have n numbers, whole lanes.
 inline double dot(const float* row, const double* x, std::size_t n) {
-  Lanes<double> sum{};
-  for (std::size_t j = 0; j < n; j += lanes) sum += next_lanes(row + j) * next_lanes(x + j);
+  Lanes<double> sum{}, f, b;
+  for (std::size_t j = 0; j < n; j += lanes) {
+    next_lanes(row + j, f), next_lanes(x + j, b);
+    sum += f * b;
+  }
   return sum_of(sum);
 }
 inline double dot(const std::vector<FormFactor>& row, const double* x) {
@@ -98,7 +100,9 @@ void add(const Real* row, const glm::dvec3& x, const Channels& factor, Channels&
     const double* rho = factor.plane(c);
     double* out = y.plane_alone(c);
     for (std::size_t j = 0; j < y.padded_size(); j += lanes) {
-      const Lanes<double> sum = next_lanes(out + j) + next_lanes(row + j) * x[c] * next_lanes(rho + j);
+      Lanes<double> sum, f, k;
+      next_lanes(out + j, sum), next_lanes(row + j, f), next_lanes(rho + j, k);
+      sum += f * x[c] * k;
       std::memcpy(out + j, &sum, sizeof sum);
     }
   }

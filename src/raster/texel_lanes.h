@@ -35,9 +35,9 @@ void floor_lanes(const Lanes<Real>& v, Lanes<Real>& out, Lanes<std::int32_t>& wh
 
 // The two texels along one axis, and how far the place lies towards the second. |u| < 2^20.
 template <class Real>
-void neighbours(Wrap wrap, Lanes<Real> u, int size, Lanes<std::int32_t>& first, Lanes<std::int32_t>& second,
+void neighbours(Wrap wrap, const Lanes<Real>& given, int size, Lanes<std::int32_t>& first, Lanes<std::int32_t>& second,
                 Lanes<Real>& part) {
-  Lanes<Real> whole, left;
+  Lanes<Real> u = given, whole, left;
   Lanes<std::int32_t> number;
   const Lanes<Real> one = Lanes<Real>{} + Real(1);
   if (wrap == Wrap::repeat) {
